@@ -1,0 +1,1 @@
+//! User functions: expressions compiled to a compact program and evaluated at points.

@@ -1,0 +1,1 @@
+//! One file per area of the language, one function per production.

@@ -1,0 +1,19 @@
+//! Numbers and space; nothing here knows what a scene is.
+
+mod aabb;
+mod range;
+mod ray;
+mod transform;
+
+pub use aabb::Aabb;
+pub use range::Range;
+pub use ray::Ray;
+pub use transform::Transform;
+
+/// A point or vector in space.
+pub type Vec3 = glam::DVec3;
+/// A point on a surface's parameter plane.
+pub type Vec2 = glam::DVec2;
+
+/// Half the distance from 1 to the next double: the largest relative error of one rounding.
+pub const EPSILON: f64 = f64::EPSILON / 2.0;

@@ -1,0 +1,1 @@
+//! Linear pixels, and the files that they go to.

@@ -1,0 +1,1 @@
+//! The world to a picture.

@@ -1,0 +1,93 @@
+//! Shapes: what a ray crosses, in the shape's own space. One file each.
+
+use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
+use std::fmt::Debug;
+
+/// One place where a ray crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Distance along the (unit) direction, in object units.
+    pub t: f64,
+    /// Which part of the shape: a box's side, a mesh's triangle, 0 where there is only one.
+    pub part: u32,
+    /// The shape's own surface parameters where it needs them later (barycentrics, a spline's parameter).
+    pub uv: Vec2,
+}
+
+impl Crossing {
+    pub fn new(t: f64) -> Self {
+        Self { t, part: 0, uv: Vec2::ZERO }
+    }
+
+    pub fn on_part(t: f64, part: u32) -> Self {
+        Self { t, part, uv: Vec2::ZERO }
+    }
+}
+
+/// Which texture a crossing shows, for shapes whose parts have textures of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PartTexture {
+    /// The object's.
+    Object,
+    /// Parts' textures (indices into the object's list) with weights that add to 1; `None` is the object's.
+    Blend(smallvec::SmallVec<[(Option<u32>, f32); 4]>),
+}
+
+/// A surface in its own space. Rays have unit directions; all lengths are in object units.
+pub trait Shape: Debug + Send + Sync {
+    /// A box around the whole surface; sides may be infinite.
+    fn bounds(&self) -> Aabb;
+
+    /// Appends every crossing inside `range`, in the order that the specification gives for exact ties
+    /// (the one appended last wins).
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>);
+
+    /// The nearest crossing inside `range`.
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut all = Vec::new();
+        self.crossings(ray, range, &mut all);
+        nearest_of(&all)
+    }
+
+    /// Whether `p` is inside the solid. Surfaces without an inside say no.
+    fn contains(&self, p: Vec3) -> bool;
+
+    /// Whether the shape has an inside at all.
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    /// The unit normal at a crossing, outward where the specification does not say otherwise; not turned
+    /// towards the ray.
+    fn normal(&self, p: Vec3, crossing: &Crossing) -> Vec3;
+
+    /// The crossing's point, moved onto the surface where that is cheap, and a bound on its distance from
+    /// the true surface in object units.
+    fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
+        let p = ray.at(crossing.t);
+        (p, 8.0 * EPSILON * (ray.origin.abs().max_element() + crossing.t.abs() + p.abs().max_element()))
+    }
+
+    /// Surface parameters in 0..1, if the shape defines any.
+    fn uv(&self, _p: Vec3, _crossing: &Crossing) -> Option<Vec2> {
+        None
+    }
+
+    /// Which textures the crossing shows.
+    fn part_texture(&self, _p: Vec3, _crossing: &Crossing) -> PartTexture {
+        PartTexture::Object
+    }
+
+    /// The shape's name in the scene language.
+    fn kind(&self) -> &'static str;
+
+    /// Bytes kept beyond the struct itself (meshes, height fields); for `explain`.
+    fn heap_bytes(&self) -> usize {
+        0
+    }
+}
+
+/// The smallest `t`; of equal ones the last.
+pub fn nearest_of(crossings: &[Crossing]) -> Option<Crossing> {
+    crossings.iter().copied().reduce(|best, c| if c.t <= best.t { c } else { best })
+}

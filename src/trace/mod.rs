@@ -1,0 +1,1 @@
+//! A ray through the world to a colour.
