@@ -1,6 +1,7 @@
 //! Numbers and space; nothing here knows what a scene is.
 
 mod aabb;
+pub mod bvh;
 mod range;
 mod ray;
 mod transform;

@@ -12,7 +12,6 @@ use crate::material::Interior;
 use crate::math::{Range, Ray, Vec2, Vec3};
 use crate::scene::Scene;
 use smallvec::SmallVec;
-use std::sync::Arc;
 
 /// A scene ready for rays. Immutable while rendering.
 #[derive(Debug)]

@@ -1,0 +1,136 @@
+//! A bounding volume hierarchy, eight children wide.
+//!
+//! `obvhs` builds a binary tree over boxes; it is collapsed here into nodes whose eight child boxes are
+//! tested at once. Boxes are single precision, relative to the middle of the bulk of the primitives and
+//! rounded outward. Traversal keeps every box that the double precision ray could touch:
+//!
+//! * a ray from far away first moves, in double precision, to where it enters the box of everything;
+//! * the origin's rounding is bounded per axis (`|o| * 2^-22` plus what the move cost) and added to each
+//!   slab, the relative rounding of the products to the interval's ends.
+//!
+//! Reference: Ernst and Greiner, "Multi Bounding Volume Hierarchies", 2008; Ize, "Robust BVH Ray
+//! Traversal", 2013.
+
+mod build;
+mod traverse;
+
+use super::{Aabb, Vec3};
+
+pub use build::Quality;
+
+/// How many children a node has.
+const WIDTH: usize = 8;
+/// Marks a child as a leaf; the rest holds `count - 1` and the first place in `order`.
+const LEAF: u32 = 1 << 31;
+const COUNT_SHIFT: u32 = 28;
+const FIRST_MASK: u32 = (1 << COUNT_SHIFT) - 1;
+/// The most primitives that a leaf can hold.
+const MAX_LEAF: usize = 8;
+
+/// A tree over boxes that are numbered from 0.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    nodes: Vec<Node>,
+    /// Primitive numbers, leaf by leaf.
+    order: Vec<u32>,
+    /// Around everything, in the caller's space.
+    bounds: Aabb,
+    center: Vec3,
+    /// A power of two: the tree's coordinates are `(p - center) * scale`.
+    scale: f64,
+}
+
+/// Eight boxes with what is inside them. Unused places hold an empty box, which no ray enters.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+struct Node {
+    /// Least x, y, z, then greatest x, y, z, of each child.
+    bounds: [[f32; WIDTH]; 6],
+    child: [u32; WIDTH],
+}
+
+impl Node {
+    const EMPTY: Node = Node {
+        bounds: [
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+        ],
+        child: [LEAF; WIDTH],
+    };
+}
+
+impl Bvh {
+    /// Around everything.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub fn heap_bytes(&self) -> usize {
+        self.nodes.len() * size_of::<Node>() + self.order.len() * size_of::<u32>()
+    }
+
+    /// Primitive numbers in the order in which leaves hold them. A caller may store its primitives in this
+    /// order and then [`Bvh::forget_order`], which saves an indirection.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// From now on primitives are called by their place in [`Bvh::order`].
+    pub fn forget_order(&mut self) {
+        self.order = Vec::new();
+    }
+
+    /// Calls `visit` with every primitive whose box contains `p`, until it returns true.
+    pub fn any_at(&self, p: Vec3, mut visit: impl FnMut(u32) -> bool) -> bool {
+        if self.nodes.is_empty() || !self.bounds.contains(p) {
+            return false;
+        }
+        let q = (p - self.center) * self.scale;
+        let lo = [build::round_down(q.x), build::round_down(q.y), build::round_down(q.z)];
+        let hi = [build::round_up(q.x), build::round_up(q.y), build::round_up(q.z)];
+        let mut stack: smallvec::SmallVec<[u32; 128]> = smallvec::smallvec![0];
+        while let Some(entry) = stack.pop() {
+            if entry & LEAF != 0 {
+                for i in leaf_places(entry) {
+                    if visit(self.primitive(i)) {
+                        return true;
+                    }
+                }
+                continue;
+            }
+            let node = &self.nodes[entry as usize];
+            for i in 0..WIDTH {
+                let inside = (0..3).all(|a| node.bounds[a][i] <= hi[a] && node.bounds[a + 3][i] >= lo[a]);
+                if inside {
+                    stack.push(node.child[i]);
+                }
+            }
+        }
+        false
+    }
+
+    /// The number of the primitive at place `i` of the leaves' order.
+    #[inline(always)]
+    fn primitive(&self, i: u32) -> u32 {
+        if self.order.is_empty() { i } else { self.order[i as usize] }
+    }
+}
+
+/// The places in `order` of a leaf's primitives.
+#[inline(always)]
+fn leaf_places(entry: u32) -> std::ops::Range<u32> {
+    let first = entry & FIRST_MASK;
+    let count = ((entry & !LEAF) >> COUNT_SHIFT) + 1;
+    first..first + count
+}
+
+#[cfg(test)]
+mod tests;

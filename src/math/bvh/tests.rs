@@ -1,0 +1,167 @@
+use super::{Bvh, Quality};
+use crate::math::{Aabb, Range, Ray, Vec3};
+
+/// A small generator, so that the tests repeat.
+pub(super) struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Random(seed)
+    }
+
+    /// Uniform in 0..1.
+    pub fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub fn vector(&mut self, size: f64) -> Vec3 {
+        Vec3::new(self.unit() - 0.5, self.unit() - 0.5, self.unit() - 0.5) * (2.0 * size)
+    }
+
+    pub fn direction(&mut self) -> Vec3 {
+        let d = self.vector(1.0).normalize_or(Vec3::X);
+        match (self.unit() * 8.0) as u32 {
+            0 => Vec3::X,
+            1 => -Vec3::Y,
+            2 => Vec3::new(d.x, 0.0, d.z).normalize_or(Vec3::Z),
+            _ => d,
+        }
+    }
+
+    pub fn aabb(&mut self, place: f64, size: f64) -> Aabb {
+        let c = self.vector(place);
+        let s = self.vector(size);
+        Aabb::new(c - s, c + s)
+    }
+}
+
+/// Spheres as centre and radius.
+fn sphere_hit(ray: &Ray, c: Vec3, r: f64) -> Option<f64> {
+    let oc = c - ray.origin;
+    let b = oc.dot(ray.dir);
+    let perpendicular = oc - b * ray.dir;
+    let h = r * r - perpendicular.length_squared();
+    if h < 0.0 {
+        return None;
+    }
+    let root = h.sqrt();
+    [b - root, b + root].into_iter().find(|t| *t > 0.0)
+}
+
+/// Nearest sphere by tree and by brute force for `rays` rays; they must agree exactly.
+fn compare(spheres: &[(Vec3, f64)], rays: usize, random: &mut Random, origins: impl Fn(&mut Random) -> Vec3) {
+    let boxes: Vec<Aabb> = spheres.iter().map(|(c, r)| Aabb::new(*c, *c).grown(*r)).collect();
+    for quality in [Quality::Best, Quality::Fast] {
+        let bvh = Bvh::build(&boxes, quality);
+        for _ in 0..rays / 2 {
+            let origin = origins(random);
+            let aim = &spheres[(random.unit() * spheres.len() as f64) as usize];
+            let toward = (aim.0 + random.vector(aim.1) - origin).normalize_or(Vec3::X);
+            let dir = if random.unit() < 0.7 { toward } else { random.direction() };
+            let ray = Ray::new(origin, dir);
+            let brute = spheres.iter().filter_map(|(c, r)| sphere_hit(&ray, *c, *r)).reduce(f64::min);
+            let mut best = None;
+            bvh.traverse(&ray, Range::FORWARD, |i, max| {
+                let (c, r) = spheres[i as usize];
+                match sphere_hit(&ray, c, r) {
+                    Some(t) if t < max => {
+                        best = Some(t);
+                        t
+                    }
+                    _ => max,
+                }
+            });
+            assert_eq!(brute, best, "ray {ray:?}");
+        }
+    }
+}
+
+fn cases(rays: usize) {
+    let mut random = Random::new(1);
+    let even: Vec<(Vec3, f64)> = (0..300).map(|_| (random.vector(1.0), 0.05 * random.unit())).collect();
+    compare(&even, rays, &mut random, |r| r.vector(2.0));
+    // Origins a million scene sizes away.
+    compare(&even, rays, &mut random, |r| r.direction() * 1e6 + r.vector(1.0));
+    // Far from the origin of space, and tiny.
+    let far: Vec<(Vec3, f64)> = even.iter().map(|(c, r)| (*c + Vec3::splat(1e6), *r)).collect();
+    compare(&far, rays, &mut random, |r| r.vector(2.0) + Vec3::splat(1e6));
+    let tiny: Vec<(Vec3, f64)> = even.iter().map(|(c, r)| (*c * 1e-9, *r * 1e-9)).collect();
+    compare(&tiny, rays, &mut random, |r| r.vector(2e-9));
+    // Extents of 1 : 10^8 in one scene, with a sky around it.
+    let mut mixed: Vec<(Vec3, f64)> =
+        (0..300).map(|_| (random.vector(1.0), 10f64.powf(-8.0 * random.unit()))).collect();
+    mixed.push((Vec3::ZERO, 1e8));
+    mixed.push((Vec3::new(0.0, -1e7, 0.0), 1e7 - 1.0));
+    compare(&mixed, rays, &mut random, |r| r.vector(2.0));
+    // Sizes and places spread over eight decades.
+    let spread: Vec<(Vec3, f64)> = (0..300)
+        .map(|_| {
+            let scale = 10f64.powf(-8.0 * random.unit());
+            (random.vector(scale), 0.2 * scale * random.unit())
+        })
+        .collect();
+    compare(&spread, rays, &mut random, |r| {
+        let scale = 10f64.powf(-8.0 * r.unit());
+        r.vector(2.0 * scale)
+    });
+}
+
+/// Six cases, 10^7 rays in all.
+#[test]
+fn tree_and_brute_force_agree_for_ten_million_rays() {
+    cases(10_000_000 / 6 + 2);
+}
+
+#[test]
+fn rays_along_faces_of_boxes_reach_their_primitives() {
+    let boxes: Vec<Aabb> = (0..64)
+        .map(|i| {
+            let c = Vec3::new(f64::from(i % 4), f64::from(i / 4 % 4), f64::from(i / 16));
+            Aabb::new(c, c + 1.0)
+        })
+        .collect();
+    let bvh = Bvh::build(&boxes, Quality::Best);
+    for axis in 0..3 {
+        for a in 0..5 {
+            for b in 0..5 {
+                let mut origin = Vec3::splat(-1.0);
+                origin[(axis + 1) % 3] = f64::from(a);
+                origin[(axis + 2) % 3] = f64::from(b);
+                let mut dir = Vec3::ZERO;
+                dir[axis] = 1.0;
+                let mut seen = std::collections::BTreeSet::new();
+                bvh.traverse(&Ray::new(origin, dir), Range::FORWARD, |i, max| {
+                    seen.insert(i);
+                    max
+                });
+                let touched = (0..64u32).filter(|&i| {
+                    let bx = boxes[i as usize];
+                    (0..3).all(|k| k == axis || (bx.min[k] <= origin[k] && origin[k] <= bx.max[k]))
+                });
+                for i in touched {
+                    assert!(seen.contains(&i), "axis {axis} at {a},{b}: box {i} not visited");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_empty_tree_and_a_single_box_work() {
+    let none = Bvh::build(&[], Quality::Best);
+    none.traverse(&Ray::new(Vec3::ZERO, Vec3::X), Range::FORWARD, |_, _| panic!("nothing to visit"));
+    let one = Bvh::build(&[Aabb::new(Vec3::ONE, Vec3::splat(2.0))], Quality::Fast);
+    let mut visits = 0;
+    one.traverse(&Ray::new(Vec3::ZERO, Vec3::ONE.normalize()), Range::FORWARD, |i, max| {
+        assert_eq!(i, 0);
+        visits += 1;
+        max
+    });
+    assert_eq!(visits, 1);
+    assert!(one.any_at(Vec3::splat(1.5), |_| true));
+    assert!(!one.any_at(Vec3::splat(0.5), |_| true));
+}

@@ -1,0 +1,249 @@
+use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
+use crate::math::{Range, Ray, Vec3};
+use smallvec::SmallVec;
+
+/// Relative error of a slab distance in single precision: direction, reciprocal, difference, product.
+const SLACK: f32 = 8.0 * f32::EPSILON;
+/// Components below this count as this: their slab distances exceed any tree's size either way.
+const SMALLEST_COMPONENT: f64 = 1e-18;
+
+/// A ray in the tree's coordinates, with its rounding bounds worked in.
+struct Setup {
+    /// Where slab distances are measured from: moved back for near planes, forward for far ones.
+    near_origin: [f32; 3],
+    far_origin: [f32; 3],
+    inverse: [f32; 3],
+    /// Which of a node's six bounds is the near plane of each axis, and the far one.
+    near_plane: [usize; 3],
+    far_plane: [usize; 3],
+    /// How far the ray was moved along itself before it was rounded, in the caller's units.
+    advance: f64,
+}
+
+impl Bvh {
+    /// Calls `visit(primitive, max)` with every primitive whose box the ray may meet inside `range`, nearer
+    /// boxes first. `visit` returns the new `max`: the distance of the hit it keeps, or `max` unchanged.
+    /// A result not above `range.min` ends the search.
+    #[inline]
+    pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let Some(setup) = self.setup(ray, range) else { return };
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been seen to have what `wide` is compiled for.
+            #[allow(unsafe_code)]
+            unsafe {
+                wide(self, &setup, range, visit);
+            }
+            return;
+        }
+        plain(self, &setup, range, visit);
+    }
+
+    fn setup(&self, ray: &Ray, range: Range) -> Option<Setup> {
+        let advance = self.entry(ray, range)?;
+        let start = ray.origin + advance * ray.dir;
+        let o = (start - self.center) * self.scale;
+        // What rounding in the move and the shift cost, in the tree's units.
+        let reach = ray.origin.abs() + Vec3::splat(advance.abs()) + self.center.abs();
+        let cost = reach * (4.0 * f64::EPSILON * self.scale);
+        let mut setup = Setup {
+            near_origin: [0.0; 3],
+            far_origin: [0.0; 3],
+            inverse: [0.0; 3],
+            near_plane: [0, 1, 2],
+            far_plane: [3, 4, 5],
+            advance,
+        };
+        for axis in 0..3 {
+            let d = ray.dir[axis];
+            let d = if d.abs() < SMALLEST_COMPONENT { SMALLEST_COMPONENT.copysign(d) } else { d };
+            let origin = o[axis] as f32;
+            let pad = origin.abs() * (4.0 * f32::EPSILON) + cost[axis] as f32 * 1.001 + f32::MIN_POSITIVE;
+            let back = if d > 0.0 { pad } else { -pad };
+            setup.near_origin[axis] = origin + back;
+            setup.far_origin[axis] = origin - back;
+            setup.inverse[axis] = 1.0 / d as f32;
+            if d < 0.0 {
+                setup.near_plane[axis] = axis + 3;
+                setup.far_plane[axis] = axis;
+            }
+        }
+        Some(setup)
+    }
+
+    /// How far to move the ray before rounding it: to where it enters the box of everything, or 0 when it
+    /// starts inside. `None` if it misses that box.
+    fn entry(&self, ray: &Ray, range: Range) -> Option<f64> {
+        let (mut near, mut far) = (range.min, range.max);
+        for axis in 0..3 {
+            let (o, d) = (ray.origin[axis], ray.dir[axis]);
+            let (lo, hi) = (self.bounds.min[axis], self.bounds.max[axis]);
+            if d == 0.0 {
+                if o < lo || o > hi {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((lo - o) / d, (hi - o) / d);
+            near = near.max(a.min(b));
+            far = far.min(a.max(b));
+        }
+        let slack = 4.0 * f64::EPSILON * near.abs().max(far.abs());
+        if near > far + slack {
+            return None;
+        }
+        Some(if near > 0.0 && near.is_finite() { near } else { 0.0 })
+    }
+}
+
+/// The slab test of all children: a bit for each that the ray may meet, and the distances to their near
+/// sides.
+#[inline(always)]
+fn slabs(node: &Node, s: &Setup, min: f32, max: f32, near: &mut [f32; WIDTH]) -> u32 {
+    let mut lo = [min; WIDTH];
+    let mut hi = [max; WIDTH];
+    for axis in 0..3 {
+        let a = &node.bounds[s.near_plane[axis]];
+        let b = &node.bounds[s.far_plane[axis]];
+        for i in 0..WIDTH {
+            let n = (a[i] - s.near_origin[axis]) * s.inverse[axis];
+            let f = (b[i] - s.far_origin[axis]) * s.inverse[axis];
+            lo[i] = if n > lo[i] { n } else { lo[i] };
+            hi[i] = if f < hi[i] { f } else { hi[i] };
+        }
+    }
+    let mut mask = 0;
+    for i in 0..WIDTH {
+        mask |= u32::from(lo[i] * (1.0 - SLACK) <= hi[i] * (1.0 + SLACK)) << i;
+    }
+    *near = lo;
+    mask
+}
+
+/// [`slabs`], eight at once: the same operations in the same order, so the same bits.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline]
+fn slabs_avx2(node: &Node, s: &Setup, min: f32, max: f32, near: &mut [f32; WIDTH]) -> u32 {
+    use std::arch::x86_64::*;
+    // SAFETY: `Node` is aligned to 32 bytes and each of its rows is 32 bytes long; `near` is written
+    // unaligned and holds eight singles.
+    #[allow(unsafe_code)]
+    unsafe {
+        let mut lo = _mm256_set1_ps(min);
+        let mut hi = _mm256_set1_ps(max);
+        for axis in 0..3 {
+            let a = _mm256_load_ps(node.bounds[s.near_plane[axis]].as_ptr());
+            let b = _mm256_load_ps(node.bounds[s.far_plane[axis]].as_ptr());
+            let inverse = _mm256_set1_ps(s.inverse[axis]);
+            let n = _mm256_mul_ps(_mm256_sub_ps(a, _mm256_set1_ps(s.near_origin[axis])), inverse);
+            let f = _mm256_mul_ps(_mm256_sub_ps(b, _mm256_set1_ps(s.far_origin[axis])), inverse);
+            lo = _mm256_max_ps(n, lo);
+            hi = _mm256_min_ps(f, hi);
+        }
+        _mm256_storeu_ps(near.as_mut_ptr(), lo);
+        let l = _mm256_mul_ps(lo, _mm256_set1_ps(1.0 - SLACK));
+        let h = _mm256_mul_ps(hi, _mm256_set1_ps(1.0 + SLACK));
+        _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(l, h)) as u32
+    }
+}
+
+/// Writes the traversal once for each slab test.
+macro_rules! traversal {
+    ($(#[$attribute:meta])* $name:ident, $slabs:path) => {
+        $(#[$attribute])*
+        #[inline]
+        fn $name(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
+            let mut max = range.max;
+            let tree_max = |max: f64| ((max - s.advance) * bvh.scale) as f32 * (1.0 + SLACK) + f32::MIN_POSITIVE;
+            let tree_min = (((range.min - s.advance) * bvh.scale) as f32).max(0.0);
+            let mut limit = tree_max(max);
+            let mut stack: SmallVec<[(f32, u32); 96]> = SmallVec::new();
+            let mut near = [0f32; WIDTH];
+            let mut entry = 0u32;
+            loop {
+                if entry & LEAF != 0 {
+                    for i in leaf_places(entry) {
+                        let closer = visit(bvh.primitive(i), max);
+                        if closer < max {
+                            max = closer;
+                            if max <= range.min {
+                                return;
+                            }
+                            limit = tree_max(max);
+                        }
+                    }
+                } else {
+                    let node = &bvh.nodes[entry as usize];
+                    let mut mask = $slabs(node, s, tree_min, limit, &mut near);
+                    let bottom = stack.len();
+                    while mask != 0 {
+                        let i = mask.trailing_zeros() as usize;
+                        mask &= mask - 1;
+                        // Nearest on top.
+                        let item = (near[i], node.child[i]);
+                        let mut at = stack.len();
+                        stack.push(item);
+                        while at > bottom && stack[at - 1].0 < item.0 {
+                            stack[at] = stack[at - 1];
+                            at -= 1;
+                        }
+                        stack[at] = item;
+                    }
+                }
+                loop {
+                    let Some((distance, next)) = stack.pop() else { return };
+                    if distance * (1.0 - SLACK) <= limit {
+                        entry = next;
+                        break;
+                    }
+                }
+            }
+        }
+    };
+}
+
+traversal!(plain, slabs);
+
+#[cfg(target_arch = "x86_64")]
+traversal!(
+    #[target_feature(enable = "avx2")]
+    wide,
+    slabs_avx2
+);
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::math::Aabb;
+    use crate::math::bvh::Quality;
+
+    /// Both slab tests give the same bits for boxes and rays of all sizes.
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn wide_slabs_equal_plain_ones() {
+        if !std::arch::is_x86_feature_detected!("avx2") {
+            println!("skipped: no AVX2");
+            return;
+        }
+        let mut random = super::super::tests::Random::new(7);
+        let boxes: Vec<Aabb> = (0..200).map(|_| random.aabb(1.0, 0.2)).collect();
+        let bvh = Bvh::build(&boxes, Quality::Best);
+        for _ in 0..2000 {
+            let ray = Ray::new(random.vector(2.0), random.direction());
+            let Some(s) = bvh.setup(&ray, Range::FORWARD) else { continue };
+            for node in &bvh.nodes {
+                let (mut a, mut b) = ([0f32; WIDTH], [0f32; WIDTH]);
+                let p = slabs(node, &s, 0.0, f32::INFINITY, &mut a);
+                // SAFETY: AVX2 was detected above.
+                #[allow(unsafe_code)]
+                let w = unsafe { slabs_avx2(node, &s, 0.0, f32::INFINITY, &mut b) };
+                assert_eq!(p, w);
+                assert_eq!(a.map(f32::to_bits), b.map(f32::to_bits));
+            }
+        }
+    }
+}
