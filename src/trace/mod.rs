@@ -1,1 +1,52 @@
-//! A ray through the world to a colour.
+//! A prepared world and a place on the picture to a colour: recursive ray tracing.
+
+mod tracer;
+
+pub use tracer::Tracer;
+
+use crate::color::Rgb;
+
+/// What the caller decides about a picture, apart from the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    pub width: u32,
+    pub height: u32,
+    /// 0 (flat pigments) to 9 (everything).
+    pub quality: u8,
+    /// Whether the picture has an alpha channel.
+    pub alpha: bool,
+    /// Replaces the scene's `max_trace_level`.
+    pub max_trace_level: Option<u32>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { width: 160, height: 120, quality: 9, alpha: false, max_trace_level: None }
+    }
+}
+
+/// The colour of a place on the picture: linear, already weighted with its coverage.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    pub rgb: Rgb,
+    /// 1 where nothing is there.
+    pub transmit: f32,
+}
+
+/// Rays that one tracer has followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    pub camera_rays: u64,
+    pub shadow_rays: u64,
+    pub reflected_rays: u64,
+    pub refracted_rays: u64,
+}
+
+impl std::ops::AddAssign for Counters {
+    fn add_assign(&mut self, o: Counters) {
+        self.camera_rays += o.camera_rays;
+        self.shadow_rays += o.shadow_rays;
+        self.reflected_rays += o.reflected_rays;
+        self.refracted_rays += o.refracted_rays;
+    }
+}
