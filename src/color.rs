@@ -70,3 +70,72 @@ impl Mul<f32> for Color {
         Color { rgb: self.rgb * k, filter: self.filter * k, transmit: self.transmit * k }
     }
 }
+
+/// How working colours relate to light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gamma {
+    /// Scenes before 3.7 without `assumed_gamma`: file values are working values.
+    Unmanaged,
+    /// Light = working value ^ g.
+    Power(f64),
+    /// `assumed_gamma srgb`.
+    Srgb,
+}
+
+impl Gamma {
+    /// Powers this near to 1 are taken for 1.
+    const NEUTRAL: f64 = 0.01;
+
+    /// Whether working values are proportional to light, or are taken to be.
+    pub fn is_linear(self) -> bool {
+        match self {
+            Gamma::Unmanaged => true,
+            Gamma::Power(g) => (g - 1.0).abs() <= Self::NEUTRAL,
+            Gamma::Srgb => false,
+        }
+    }
+
+    /// The light of a working value; negative values are dark.
+    pub fn decode(self, working: f64) -> f64 {
+        match self {
+            Gamma::Srgb => linear_from_srgb(working),
+            Gamma::Power(g) if !self.is_linear() => working.max(0.0).powf(g),
+            Gamma::Power(_) | Gamma::Unmanaged => working,
+        }
+    }
+
+    /// The working value of light.
+    pub fn encode(self, light: f64) -> f64 {
+        match self {
+            Gamma::Srgb => srgb_from_linear(light),
+            Gamma::Power(g) if !self.is_linear() => light.max(0.0).powf(1.0 / g),
+            Gamma::Power(_) | Gamma::Unmanaged => light,
+        }
+    }
+}
+
+/// The sRGB transfer curve (IEC 61966-2-1).
+pub fn srgb_from_linear(c: f64) -> f64 {
+    if c <= 0.0031308 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The inverse of [`srgb_from_linear`].
+pub fn linear_from_srgb(c: f64) -> f64 {
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn transfer_curves_undo_each_other() {
+        for gamma in [Gamma::Unmanaged, Gamma::Power(2.2), Gamma::Power(1.005), Gamma::Srgb] {
+            for i in 0..=100 {
+                let c = i as f64 / 100.0;
+                assert!((gamma.encode(gamma.decode(c)) - c).abs() < 1e-6, "{gamma:?} {c}");
+            }
+        }
+        assert!((linear_from_srgb(0.5) - 0.214041).abs() < 1e-6);
+    }
+}

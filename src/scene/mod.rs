@@ -7,6 +7,8 @@ mod object;
 
 pub use object::{Body, CsgOp, Flags, LightSource, Object};
 
+pub use crate::color::Gamma;
+
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::material::{Attached, Media, Pigment};
@@ -43,17 +45,6 @@ pub struct Globals {
     pub gamma: Gamma,
     /// Effective version at the end of the text, times 100: 362 where none was declared.
     pub effective_version: u32,
-}
-
-/// How working colours relate to light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Gamma {
-    /// Scenes before 3.7 without `assumed_gamma`: file values are working values.
-    Unmanaged,
-    /// Working value = light ^ (1/g).
-    Power(f64),
-    /// `assumed_gamma srgb`.
-    Srgb,
 }
 
 #[derive(Clone, Debug)]
