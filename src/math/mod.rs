@@ -2,6 +2,7 @@
 
 mod aabb;
 pub mod bvh;
+pub mod field;
 mod range;
 mod ray;
 mod transform;
