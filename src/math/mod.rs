@@ -3,6 +3,8 @@
 mod aabb;
 pub mod bvh;
 pub mod field;
+pub mod noise;
+pub mod random;
 mod range;
 mod ray;
 mod transform;

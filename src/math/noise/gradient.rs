@@ -1,0 +1,84 @@
+//! Gradient noise: unit gradients at the corners of a unit cell, faded together.
+
+use super::{fade, split};
+use crate::math::Vec3;
+use crate::math::random::Lcg;
+use std::sync::LazyLock;
+
+/// Entries in each table; a power of two.
+const ENTRIES: usize = 2048;
+const MASK: u32 = ENTRIES as u32 - 1;
+
+struct Tables {
+    index: [u16; ENTRIES],
+    gradients: [[f64; 3]; ENTRIES],
+}
+
+static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
+    let mut random = Lcg::new(1);
+    let gradients = std::array::from_fn(|_| direction(&mut random));
+    Box::new(Tables { gradients, index: shuffled(&mut random) })
+});
+
+/// A random unit vector: a point of the unit ball, pushed out to its surface.
+fn direction(random: &mut Lcg) -> [f64; 3] {
+    loop {
+        let v: [f64; 3] = std::array::from_fn(|_| (f64::from(random.draw() % 4096) - 2048.0) / 2048.0);
+        let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        if (1e-5..=1.0).contains(&square) {
+            return v.map(|c| c / square.sqrt());
+        }
+    }
+}
+
+/// Exchanges half of the entries with any others. There is one entry more while that goes on, so that one
+/// number is lost and 0 stands twice.
+fn shuffled(random: &mut Lcg) -> [u16; ENTRIES] {
+    let mut table: [u16; ENTRIES + 1] = std::array::from_fn(|i| (i % ENTRIES) as u16);
+    for i in (2..=ENTRIES).rev().step_by(2) {
+        table.swap(i, random.draw() as usize % ENTRIES);
+    }
+    std::array::from_fn(|i| table[i])
+}
+
+/// About -1 ..= 1.
+pub(super) fn sum(p: Vec3) -> f64 {
+    // Keeps the lattice away from the origin. It costs some digits of the coordinate, which is part of the
+    // noise's definition.
+    const SHIFT: f64 = 10_000_000.023157213;
+    let tables: &Tables = &TABLES;
+    let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x + SHIFT), split(p.y + SHIFT), split(p.z + SHIFT));
+    let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);
+    let (qx, qx1) = (index(bx), index(bx.wrapping_add(1)));
+    let columns = [
+        index(qx.wrapping_add(by & MASK)),
+        index(qx1.wrapping_add(by & MASK)),
+        index(qx.wrapping_add((by & MASK) + 1)),
+        index(qx1.wrapping_add((by & MASK) + 1)),
+    ];
+    let dot = |column: usize, dz: u32| {
+        let g = &tables.gradients[((columns[column] + (bz & MASK) + dz) & MASK) as usize];
+        let (dx, dy) = ((column & 1) as f64, (column >> 1) as f64);
+        g[0] * (fx - dx) + g[1] * (fy - dy) + g[2] * (fz - f64::from(dz))
+    };
+    let (sx, sy, sz) = (fade(fx), fade(fy), fade(fz));
+    let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
+    let low = lerp(sy, lerp(sx, dot(0, 0), dot(1, 0)), lerp(sx, dot(2, 0), dot(3, 0)));
+    let high = lerp(sy, lerp(sx, dot(0, 1), dot(1, 1)), lerp(sx, dot(2, 1), dot(3, 1)));
+    lerp(sz, low, high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_start_as_measured() {
+        assert_eq!(TABLES.index[..4], [0, 1, 386, 3]);
+        assert!(!TABLES.index.contains(&1017), "the lost number");
+        let first = [0.6044250694264234, 0.7052602895441197, 0.3705108088045583];
+        for (got, want) in TABLES.gradients[0].iter().zip(first) {
+            assert!((got - want).abs() < 1e-15);
+        }
+    }
+}

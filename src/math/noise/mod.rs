@@ -1,0 +1,138 @@
+//! Lattice noise and turbulence.
+//!
+//! Three scalar generators and one vector noise. Generators 1 and 2 and the vector noise share the lattice of
+//! [`lattice`]; generator 3 is gradient noise ([`gradient`]). All are continuous; scalar values lie in 0..=1.
+//!
+//! Reference: K. Perlin, "An Image Synthesizer", SIGGRAPH 1985.
+
+mod coefficients;
+mod gradient;
+mod lattice;
+mod turbulence;
+
+pub use lattice::{hash3, vector_noise};
+pub use turbulence::Turbulence;
+
+use super::Vec3;
+
+/// Which lattice noise a pattern uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NoiseGenerator {
+    Original = 1,
+    #[default]
+    RangeCorrected = 2,
+    Perlin = 3,
+}
+
+impl NoiseGenerator {
+    /// The generator of a `noise_generator` number; `None` for 0 and for anything above 3.
+    pub fn from_number(n: u32) -> Option<Self> {
+        match n {
+            1 => Some(Self::Original),
+            2 => Some(Self::RangeCorrected),
+            3 => Some(Self::Perlin),
+            _ => None,
+        }
+    }
+}
+
+/// Scalar noise at a point, 0 ..= 1.
+#[inline]
+pub fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
+    match generator {
+        NoiseGenerator::Original => clamp01(lattice::sum(p) + 0.5),
+        NoiseGenerator::RangeCorrected => clamp01((lattice::sum(p) + 1.05242) * 0.48985582),
+        NoiseGenerator::Perlin => clamp01(0.5 * (1.59 * gradient::sum(p) + 0.985)),
+    }
+}
+
+#[inline]
+fn clamp01(v: f64) -> f64 {
+    v.clamp(0.0, 1.0)
+}
+
+/// The largest coordinate that is split into cell and fraction; doubles twice as large are whole numbers.
+const LARGEST: f64 = 2_251_799_813_685_248.0;
+
+/// Splits a coordinate into the low bits of its floor and the fraction 0..1.
+#[inline(always)]
+fn split(v: f64) -> (u32, f64) {
+    // Adding 1.5 * 2^52 rounds to a whole number, which then stands in the low bits of the double.
+    const ROUND: f64 = 6_755_399_441_055_744.0;
+    let v = if v > -LARGEST { v } else { -LARGEST };
+    let v = if v < LARGEST { v } else { LARGEST };
+    let sum = v + ROUND;
+    let (whole, bits) = (sum - ROUND, sum.to_bits() as u32);
+    if whole > v { (bits.wrapping_sub(1), v - (whole - 1.0)) } else { (bits, v - whole) }
+}
+
+/// `3f^2 - 2f^3`: rises from 0 to 1 with no slope at either end.
+#[inline(always)]
+fn fade(f: f64) -> f64 {
+    f * f * (3.0 - 2.0 * f)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(text: &str) -> impl Iterator<Item = Vec<f64>> {
+        text.lines()
+            .filter(|l| !l.starts_with('#'))
+            .map(|l| l.split(',').map(|f| f.parse().unwrap()).collect())
+    }
+
+    #[test]
+    fn scalar_noise_is_as_measured() {
+        let mut count = 0;
+        for row in rows(include_str!("../../../tests/data/2-noise-oracle.csv")) {
+            let p = Vec3::new(row[0], row[1], row[2]);
+            for n in 1..=3 {
+                let got = noise(p, NoiseGenerator::from_number(n).unwrap());
+                let want = row[2 + n as usize];
+                assert!((got - want).abs() < 1e-12, "generator {n} at {p}: {got} not {want}");
+                count += 1;
+            }
+        }
+        assert_eq!(count, 630);
+    }
+
+    #[test]
+    fn vector_noise_and_turbulence_are_as_measured() {
+        let turbulence =
+            Turbulence { amount: Vec3::X, octaves: 6, omega: f64::from(0.6_f32), lambda: f64::from(2.3_f32) };
+        let mut count = 0;
+        for row in rows(include_str!("../../../tests/data/2-vector-noise-oracle.csv")) {
+            let p = Vec3::new(row[0], row[1], row[2]);
+            let want = Vec3::new(row[3], row[4], row[5]);
+            assert!(
+                (vector_noise(p) - want).abs().max_element() < 1e-9,
+                "at {p}: {} not {want}",
+                vector_noise(p)
+            );
+            assert!((turbulence.vector(p).x - row[6]).abs() < 2e-9, "turbulence at {p}");
+            count += 1;
+        }
+        assert_eq!(count, 50);
+    }
+
+    #[test]
+    fn split_is_floor_and_fraction() {
+        for v in [0.0, 0.5, -0.5, -1.0, 1e9 + 0.25, -1e9 - 0.25, 4096.5, -1e-20] {
+            let (bits, f) = split(v);
+            assert_eq!(bits, v.floor() as i64 as u32, "{v}");
+            assert_eq!(f, v - v.floor(), "{v}");
+        }
+    }
+
+    #[test]
+    fn huge_and_undefined_coordinates_stay_in_range() {
+        for v in [1e17, -1e17, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            for n in 1..=3 {
+                let n = noise(Vec3::new(v, 0.5, -v), NoiseGenerator::from_number(n).unwrap());
+                assert!((0.0..=1.0).contains(&n), "{v}: {n}");
+            }
+            assert!(vector_noise(Vec3::splat(v)).abs().max_element() < 3.0, "{v}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+use super::{NoiseGenerator, noise, vector_noise};
+use crate::math::Vec3;
+
+/// A sum of noise at growing frequencies (`lambda` per octave) and falling weights (`omega` per octave).
+///
+/// | parameter | default | meaning |
+/// |---|---|---|
+/// | amount | 0 | how far points are displaced along each axis |
+/// | octaves | 6 | terms, 1 ..= 10 |
+/// | omega | 0.5 | weight of each octave relative to the one before |
+/// | lambda | 2 | frequency of each octave relative to the one before |
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turbulence {
+    pub amount: Vec3,
+    pub octaves: u32,
+    pub omega: f64,
+    pub lambda: f64,
+}
+
+impl Default for Turbulence {
+    fn default() -> Self {
+        Self { amount: Vec3::ZERO, octaves: 6, omega: 0.5, lambda: 2.0 }
+    }
+}
+
+impl Turbulence {
+    /// Displaces `p`.
+    #[inline]
+    pub fn displace(&self, p: Vec3) -> Vec3 {
+        if self.amount == Vec3::ZERO { p } else { p + self.amount * self.vector(p) }
+    }
+
+    /// The sum of vector noise, `amount` left aside.
+    pub fn vector(&self, p: Vec3) -> Vec3 {
+        let mut sum = vector_noise(p);
+        let (mut length, mut weight) = (1.0, 1.0);
+        for _ in 1..self.octaves {
+            length *= self.lambda;
+            weight *= self.omega;
+            sum += weight * vector_noise(length * p);
+        }
+        sum
+    }
+
+    /// The sum of scalar noise, `amount` left aside.
+    pub fn scalar(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
+        let original = generator == NoiseGenerator::Original;
+        let term = |p: Vec3| {
+            let n = noise(p, generator);
+            if original { n } else { 2.0 * n - 0.5 }
+        };
+        // Only the first octave is clamped.
+        let mut sum = term(p).clamp(0.0, 1.0);
+        let (mut length, mut weight) = (1.0, 1.0);
+        for _ in 1..self.octaves {
+            length *= self.lambda;
+            weight *= self.omega;
+            sum += weight * term(length * p);
+        }
+        sum
+    }
+}
