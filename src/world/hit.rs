@@ -1,4 +1,4 @@
-use crate::material::Texture;
+use crate::material::{Attached, Texture};
 use crate::math::{Transform, Vec3};
 use crate::shape::Crossing;
 use std::sync::Arc;
@@ -49,18 +49,65 @@ pub enum RayClass {
     Radiosity,
 }
 
+impl RayClass {
+    /// The class's bit in a set.
+    pub(super) fn bit(self) -> u8 {
+        1 << self as u8
+    }
+}
+
+/// What objects tell the shading of their hits; few differ, so they are shared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Shading {
+    pub ignores_global_lights: bool,
+    pub double_illuminate: bool,
+    pub group_lights: (u32, u32),
+    pub uv_mapping: bool,
+    pub opaque: bool,
+}
+
 /// A texture as it sits on one object: layers bottom first, each with its own placement.
 #[derive(Debug)]
 pub struct Surface {
     pub layers: Vec<SurfaceLayer>,
+    /// Whether some layer lets no light through anywhere.
     pub opaque: bool,
 }
 
 #[derive(Debug)]
 pub struct SurfaceLayer {
     pub texture: Arc<Texture>,
-    /// `inverse` takes the object's own space to texture space; `None` if they are the same space.
-    pub texture_to_local: Option<Transform>,
-    /// `inverse` takes world space to texture space; `None` if they are the same space. Frames normals.
-    pub texture_to_world: Option<Transform>,
+    /// Takes texture space to the object's own space; `None` if they are the same.
+    pub texture_to_local: Option<Box<Transform>>,
+    /// Takes texture space to world space; `None` if they are the same. Frames normals.
+    pub texture_to_world: Option<Box<Transform>>,
+}
+
+impl SurfaceLayer {
+    /// `attached` is placed in world space, on a shape that stands at `shape_to_world`.
+    pub(super) fn new(attached: &Attached<Texture>, shape_to_world: &Transform) -> Self {
+        let to_world = attached.transform;
+        let to_local = if to_world == *shape_to_world {
+            Transform::IDENTITY
+        } else {
+            to_world.then(&shape_to_world.inverted())
+        };
+        let kept = |t: Transform| (!t.is_identity()).then(|| Box::new(t));
+        Self {
+            texture: attached.value.clone(),
+            texture_to_local: kept(to_local),
+            texture_to_world: kept(to_world),
+        }
+    }
+
+    /// Tells equal layers: the texture's address and both placements to the bit.
+    pub(super) fn key(&self) -> (usize, [u64; 24]) {
+        let bits = |t: &Option<Box<Transform>>| {
+            let t = t.as_ref().map_or(Transform::IDENTITY, |t| **t);
+            t.forward.to_cols_array().map(f64::to_bits)
+        };
+        let (a, b) = (bits(&self.texture_to_local), bits(&self.texture_to_world));
+        let key = std::array::from_fn(|i| if i < 12 { a[i] } else { b[i - 12] });
+        (Arc::as_ptr(&self.texture) as usize, key)
+    }
 }

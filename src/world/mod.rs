@@ -3,15 +3,31 @@
 //! When you hold a [`World`]: CSG children know their transforms to world space, textures and interiors
 //! are inherited, numbered and shared, infinite objects stand apart from the tree.
 
+mod compound;
+mod flatten;
+mod geometry;
 mod hit;
+mod lights;
+mod query;
+mod scratch;
+mod stats;
+#[cfg(test)]
+mod tests;
 
 pub use hit::{Hit, InteriorId, RayClass, Surface, SurfaceLayer};
+pub use query::ObjectQuery;
+pub use stats::Stats;
 
 use crate::light::Light;
 use crate::material::Interior;
-use crate::math::{Range, Ray, Vec2, Vec3};
+use crate::math::{Range, Ray, Transform, Vec2, Vec3};
 use crate::scene::Scene;
+use crate::shape::PartTexture;
+use flatten::Flattened;
+use geometry::{Found, Geometry, NONE, Solid};
+use hit::Shading;
 use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// A scene ready for rays. Immutable while rendering.
 #[derive(Debug)]
@@ -20,66 +36,181 @@ pub struct World {
     pub scene: Scene,
     /// Every global light, in order of declaration.
     pub lights: Vec<WorldLight>,
-    /// Lights of light groups; an item's `group_lights` index into it.
+    /// Lights of light groups; a hit's `group_lights` index into it.
     pub group_lights: Vec<WorldLight>,
+    geometry: Geometry,
+    surfaces: Vec<Surface>,
+    part_surfaces: Vec<u32>,
+    shadings: Vec<Shading>,
+    interiors: Vec<Inside>,
+    projectors: Vec<Solid>,
+    all_opaque: bool,
 }
 
 /// A light with the bodies that shape its beam, prepared.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct WorldLight {
     pub light: Light,
     /// Index for [`World::projector`], if the light shines through an object.
     pub projected_through: Option<u32>,
 }
 
+/// An object's interior where it stands.
+#[derive(Debug)]
+pub(crate) struct Inside {
+    interior: Arc<Interior>,
+    transform: Transform,
+    hollow: bool,
+}
+
 impl World {
-    pub fn prepare(_scene: Scene) -> World {
-        todo!()
+    pub fn prepare(mut scene: Scene) -> World {
+        let objects = std::mem::take(&mut scene.objects);
+        let flat = Flattened::new(&objects);
+        drop(objects);
+        let all_opaque = flat.geometry.roots.iter().all(|r| r.opaque);
+        World {
+            scene,
+            lights: flat.lights,
+            group_lights: flat.group_lights,
+            geometry: flat.geometry,
+            surfaces: flat.surfaces,
+            part_surfaces: flat.part_surfaces,
+            shadings: flat.shadings,
+            interiors: flat.interiors,
+            projectors: flat.projectors,
+            all_opaque,
+        }
     }
 
     /// The nearest hit inside `range` among the objects that `class` sees. `ray.dir` has unit length.
-    pub fn nearest(&self, _ray: &Ray, _range: Range, _class: RayClass) -> Option<Hit> {
-        todo!()
+    pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Hit> {
+        self.geometry.nearest(ray, range, class).map(|found| self.hit(ray, &found))
+    }
+
+    fn hit(&self, ray: &Ray, found: &Found) -> Hit {
+        let located = self.geometry.locate(ray, found);
+        let leaf = &self.geometry.leaves[found.leaf as usize];
+        let shading = &self.shadings[leaf.shading as usize];
+        Hit {
+            t: found.t,
+            point: located.point,
+            error: located.error,
+            local: located.local,
+            crossing: found.crossing,
+            normal: located.normal,
+            item: found.leaf,
+            interior: leaf.interior,
+            ignores_global_lights: shading.ignores_global_lights,
+            double_illuminate: shading.double_illuminate,
+            group_lights: shading.group_lights,
+            uv_mapping: shading.uv_mapping,
+            opaque: shading.opaque,
+        }
     }
 
     /// The nearest hit of the ray with projector `index` alone.
-    pub fn projector(&self, _index: u32, _ray: &Ray, _range: Range) -> Option<f64> {
-        todo!()
+    pub fn projector(&self, index: u32, ray: &Ray, range: Range) -> Option<f64> {
+        self.geometry.nearest_of(self.projectors[index as usize], ray, range).map(|f| f.t)
     }
 
     /// Whether any fully opaque object that casts shadows lies inside `range`; used before a shadow ray
     /// is followed in full. False when only transparent ones do.
-    pub fn blocked(&self, _ray: &Ray, _range: Range) -> bool {
-        todo!()
+    pub fn blocked(&self, ray: &Ray, range: Range) -> bool {
+        self.geometry.blocked(ray, range)
+    }
+
+    /// Whether no object lets light through: then [`World::blocked`] is the whole answer.
+    pub fn all_opaque(&self) -> bool {
+        self.all_opaque
     }
 
     /// The interiors of the top-level objects that contain `p`, in scene order.
-    pub fn interiors_at(&self, _p: Vec3) -> SmallVec<[InteriorId; 4]> {
-        todo!()
+    pub fn interiors_at(&self, p: Vec3) -> SmallVec<[InteriorId; 4]> {
+        self.geometry.roots_at(p).into_iter().map(|i| self.geometry.roots[i as usize].interior).collect()
     }
 
-    pub fn interior(&self, _id: InteriorId) -> &Interior {
-        todo!()
+    pub fn interior(&self, id: InteriorId) -> &Interior {
+        &self.interiors[id.0 as usize].interior
+    }
+
+    /// Where the interior's own space (that of its densities) stands in the world.
+    pub fn interior_to_world(&self, id: InteriorId) -> &Transform {
+        &self.interiors[id.0 as usize].transform
     }
 
     /// Whether the interior's object is hollow (media and fog act inside it).
-    pub fn is_hollow(&self, _id: InteriorId) -> bool {
-        todo!()
+    pub fn is_hollow(&self, id: InteriorId) -> bool {
+        self.interiors[id.0 as usize].hollow
     }
 
     /// The surface parameters of a hit: the shape's own, or world x and y.
-    pub fn uv(&self, _hit: &Hit) -> Vec2 {
-        todo!()
+    pub fn uv(&self, hit: &Hit) -> Vec2 {
+        let shape = &self.geometry.leaves[hit.item as usize].shape;
+        shape.uv(hit.local, &hit.crossing).unwrap_or(Vec2::new(hit.point.x, hit.point.y))
     }
 
     /// The surfaces that show at a hit with weights that add to 1. `from_inside` asks for the
     /// `interior_texture` where there is one.
-    pub fn surfaces<'w>(
+    pub fn surfaces<'w>(&'w self, hit: &Hit, from_inside: bool, out: &mut SmallVec<[(f32, &'w Surface); 2]>) {
+        let leaf = &self.geometry.leaves[hit.item as usize];
+        if from_inside && leaf.interior_surface != NONE {
+            out.push((1.0, &self.surfaces[leaf.interior_surface as usize]));
+            return;
+        }
+        match leaf.shape.part_texture(hit.local, &hit.crossing) {
+            PartTexture::Object => self.object_surface(leaf, hit.point, 1.0, out),
+            PartTexture::Blend(parts) => {
+                for (part, weight) in parts {
+                    match part {
+                        None => self.object_surface(leaf, hit.point, weight, out),
+                        Some(i) => {
+                            let number = self.part_surfaces[(leaf.parts + i) as usize];
+                            out.push((weight, &self.surfaces[number as usize]));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The leaf's surface, or those of the solids that its cut shows.
+    fn object_surface<'w>(
         &'w self,
-        _hit: &Hit,
-        _from_inside: bool,
-        _out: &mut SmallVec<[(f32, &'w Surface); 2]>,
+        leaf: &geometry::Leaf,
+        p: Vec3,
+        weight: f32,
+        out: &mut SmallVec<[(f32, &'w Surface); 2]>,
     ) {
-        todo!()
+        if leaf.surface != NONE {
+            out.push((weight, &self.surfaces[leaf.surface as usize]));
+        } else if leaf.cutaway != NONE {
+            let mut numbers: SmallVec<[u32; 4]> = SmallVec::new();
+            self.cutaway_surfaces(Solid::Compound(leaf.cutaway), p, &mut numbers);
+            let share = weight / numbers.len().max(1) as f32;
+            out.extend(numbers.iter().map(|&n| (share, &self.surfaces[n as usize])));
+        }
+    }
+
+    /// The surfaces of the textured solids below `solid` that contain `p`: of a difference the first
+    /// child's.
+    fn cutaway_surfaces(&self, solid: Solid, p: Vec3, out: &mut SmallVec<[u32; 4]>) {
+        match solid {
+            Solid::Leaf(i) => {
+                let surface = self.geometry.leaves[i as usize].surface;
+                if surface != NONE {
+                    out.push(surface);
+                }
+            }
+            Solid::Compound(i) => {
+                for &child in &self.geometry.compounds[i as usize].children {
+                    let inverted =
+                        matches!(child, Solid::Leaf(l) if self.geometry.leaves[l as usize].inverted);
+                    if !inverted && self.geometry.contains(child, p) {
+                        self.cutaway_surfaces(child, p, out);
+                    }
+                }
+            }
+        }
     }
 }

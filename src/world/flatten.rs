@@ -1,0 +1,418 @@
+//! Objects as the author nested them to leaves in world space.
+//!
+//! Transforms are worked out down to the shapes; textures, interiors and flags are inherited; inversion is
+//! pushed down to the leaves (an inverted union is an intersection of inverted children); top-level unions
+//! are taken apart.
+
+use super::compound::{Compound, Op};
+use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
+use super::hit::{InteriorId, RayClass, Shading, Surface, SurfaceLayer};
+use super::lights::place_light;
+use super::{Inside, WorldLight};
+use crate::material::{Attached, Interior, Texture};
+use crate::math::bvh::{Bvh, Quality};
+use crate::math::{Aabb, Transform};
+use crate::scene::{Body, CsgOp, Flags, LightSource, Object};
+use std::collections::HashMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// From this many children on a combination gets a tree of its own.
+const TREE_FROM: usize = 8;
+
+/// Everything that flattening makes.
+#[derive(Debug, Default)]
+pub(super) struct Flattened {
+    pub geometry: Geometry,
+    pub surfaces: Vec<Surface>,
+    pub part_surfaces: Vec<u32>,
+    pub shadings: Vec<Shading>,
+    pub interiors: Vec<Inside>,
+    pub lights: Vec<WorldLight>,
+    pub group_lights: Vec<WorldLight>,
+    /// Objects that lights shine through, by [`WorldLight::projected_through`].
+    pub projectors: Vec<Solid>,
+    surface_numbers: HashMap<SurfaceKey, u32>,
+    shading_numbers: HashMap<Shading, u32>,
+}
+
+/// Texture and both placements, to the bit.
+type SurfaceKey = Vec<(usize, [u64; 24])>;
+
+/// A texture list in world space.
+type Textures = Rc<Vec<Attached<Texture>>>;
+
+/// What a child takes from what it stands in.
+#[derive(Clone)]
+struct Inherited {
+    to_world: Transform,
+    textures: Option<Textures>,
+    interior_textures: Option<Textures>,
+    interior: Option<InteriorId>,
+    flags: Flags,
+    uv_mapping: bool,
+    inverted: bool,
+    cutaway: u32,
+    group_lights: (u32, u32),
+    ignores_global_lights: bool,
+    /// Inside a light group: its lights have been gathered already.
+    in_group: bool,
+}
+
+impl Inherited {
+    fn top() -> Self {
+        Self {
+            to_world: Transform::IDENTITY,
+            textures: None,
+            interior_textures: None,
+            interior: None,
+            flags: Flags::default(),
+            uv_mapping: false,
+            inverted: false,
+            cutaway: NONE,
+            group_lights: (0, 0),
+            ignores_global_lights: false,
+            in_group: false,
+        }
+    }
+}
+
+impl Flattened {
+    pub fn new(objects: &[Arc<Object>]) -> Self {
+        let mut flat = Flattened::default();
+        for object in objects {
+            flat.top(object, &Inherited::top());
+        }
+        flat.geometry.finish();
+        flat
+    }
+
+    /// One object alone, for questions asked while the text is read.
+    pub fn of_one(object: &Object) -> (Self, Solid, Aabb) {
+        let mut flat = Flattened::default();
+        let (solid, bounds) =
+            flat.solid(object, &Inherited::top()).unwrap_or_else(|| (flat.nothing(), Aabb::EMPTY));
+        (flat, solid, bounds)
+    }
+
+    /// A top-level object: unions fall apart, lights go to their list, the rest becomes a root.
+    fn top(&mut self, object: &Object, outer: &Inherited) {
+        match &object.body {
+            Body::Light(source) => {
+                if !outer.in_group {
+                    self.light(source, &object.transform.then(&outer.to_world), false);
+                }
+            }
+            Body::Csg { op: CsgOp::Union | CsgOp::LightGroup { .. }, children } if splits(object, outer) => {
+                let inner = self.inherit(object, outer);
+                for child in children.iter() {
+                    self.top(child, &inner);
+                }
+            }
+            _ => self.root(object, outer),
+        }
+    }
+
+    fn root(&mut self, object: &Object, outer: &Inherited) {
+        let first_leaf = self.geometry.leaves.len();
+        let Some((solid, bounds)) = self.solid(object, outer) else { return };
+        let flags = merged(&object.flags, &outer.flags);
+        let leaves = &self.geometry.leaves[first_leaf..];
+        let opaque = leaves.iter().all(|l| self.shadings[l.shading as usize].opaque);
+        let interior = match solid {
+            Solid::Leaf(i) => self.geometry.leaves[i as usize].interior,
+            Solid::Compound(_) => leaves.first().map_or(InteriorId(0), |l| l.interior),
+        };
+        self.geometry.roots.push(Root { solid, interior, hidden: hidden(&flags), opaque });
+        self.geometry.root_bounds.push(bounds);
+    }
+
+    /// A shape or a combination in world space with its bounds; `None` for lights.
+    fn solid(&mut self, object: &Object, outer: &Inherited) -> Option<(Solid, Aabb)> {
+        let (solid, mut bounds) = match &object.body {
+            Body::Light(source) => {
+                if !outer.in_group {
+                    self.light(source, &object.transform.then(&outer.to_world), false);
+                }
+                return None;
+            }
+            Body::Shape(_) => self.leaf(object, outer),
+            Body::Csg { op, children } => self.csg(*op, children, object, outer),
+        };
+        let clips: Vec<(Solid, Aabb)> =
+            object.clipped_by.iter().filter_map(|c| self.solid(c, &region(outer))).collect();
+        for (_, b) in &clips {
+            bounds = bounds.intersection(*b);
+        }
+        bounds = self.shrunk(bounds, object, outer);
+        if clips.is_empty() {
+            return Some((solid, bounds));
+        }
+        let clips = clips.into_iter().map(|(s, _)| s).collect();
+        let wrapper =
+            Compound { op: Op::Union, children: vec![solid], child_bounds: vec![bounds], tree: None, clips };
+        Some((self.compound(wrapper), bounds))
+    }
+
+    /// The object's box, or that of its `bounded_by` objects where it is smaller.
+    fn shrunk(&mut self, bounds: Aabb, object: &Object, outer: &Inherited) -> Aabb {
+        let mut box_of_bounds = Aabb::INFINITE;
+        for b in &object.bounded_by {
+            if !b.flags.inverse
+                && let Some((_, b)) = self.solid(b, &region(outer))
+            {
+                box_of_bounds = box_of_bounds.intersection(b);
+            }
+        }
+        let smaller = box_of_bounds.volume() < bounds.volume() || !bounds.is_finite();
+        if smaller { bounds.intersection(box_of_bounds) } else { bounds }
+    }
+
+    fn leaf(&mut self, object: &Object, outer: &Inherited) -> (Solid, Aabb) {
+        let Body::Shape(shape) = &object.body else { unreachable!("leaf of a combination") };
+        let inner = self.inherit(object, outer);
+        let to_world = inner.to_world;
+        let own_texture = inner.textures.is_some();
+        let surface = inner.textures.as_ref().map_or(NONE, |t| self.surface(t, &to_world));
+        let interior_surface = inner.interior_textures.as_ref().map_or(NONE, |t| self.surface(t, &to_world));
+        let parts = self.part_surfaces.len() as u32;
+        for part in &object.part_textures {
+            let placed =
+                Attached { value: part.value.clone(), transform: part.transform.then(&outer.to_world) };
+            let number = self.surface(&[placed], &to_world);
+            self.part_surfaces.push(number);
+        }
+        let opaque_parts =
+            self.part_surfaces[parts as usize..].iter().all(|&s| self.surfaces[s as usize].opaque);
+        let opaque_of = |s: u32| s == NONE || self.surfaces[s as usize].opaque;
+        let shading = Shading {
+            ignores_global_lights: inner.ignores_global_lights,
+            double_illuminate: inner.flags.double_illuminate,
+            group_lights: inner.group_lights,
+            uv_mapping: inner.uv_mapping,
+            opaque: opaque_of(surface) && opaque_of(interior_surface) && opaque_parts,
+        };
+        let shading = self.shading(shading);
+        let inverted = inner.inverted && shape.is_solid();
+        let bounds = if inverted { Aabb::INFINITE } else { to_world.bounds(&shape.bounds()) };
+        self.geometry.leaves.push(Leaf {
+            shape: shape.clone(),
+            transform: (!to_world.is_identity()).then(|| Box::new(to_world)),
+            surface,
+            interior_surface,
+            parts,
+            shading,
+            cutaway: if own_texture { NONE } else { inner.cutaway },
+            interior: inner.interior.unwrap_or(InteriorId(0)),
+            inverted,
+        });
+        (Solid::Leaf(self.geometry.leaves.len() as u32 - 1), bounds)
+    }
+
+    fn csg(
+        &mut self,
+        op: CsgOp,
+        children: &[Arc<Object>],
+        object: &Object,
+        outer: &Inherited,
+    ) -> (Solid, Aabb) {
+        let mut inner = self.inherit(object, outer);
+        let slot = self.reserve();
+        if object.flags.cutaway_textures && inner.textures.is_none() {
+            inner.cutaway = slot;
+        }
+        let mut solids = Vec::with_capacity(children.len());
+        let mut child_bounds = Vec::with_capacity(children.len());
+        let mut first = true;
+        for child in children {
+            let is_light = matches!(child.body, Body::Light(_));
+            let mut taken = inner.clone();
+            if op == CsgOp::Difference && !first {
+                taken.inverted = !taken.inverted;
+            }
+            first &= is_light;
+            if let Some((solid, bounds)) = self.solid(child, &taken) {
+                solids.push(solid);
+                child_bounds.push(bounds);
+            }
+        }
+        let op = effective(op, inner.inverted);
+        let bounds = match op {
+            Op::Intersection => child_bounds.iter().fold(Aabb::INFINITE, |a, b| a.intersection(*b)),
+            Op::Union | Op::Merge => child_bounds.iter().fold(Aabb::EMPTY, |a, b| a.union(*b)),
+        };
+        let tree = (solids.len() >= TREE_FROM
+            && op != Op::Intersection
+            && child_bounds.iter().all(|b| b.is_finite()))
+        .then(|| Bvh::build(&child_bounds, Quality::Best));
+        self.geometry.compounds[slot as usize] =
+            Compound { op, children: solids, child_bounds, tree, clips: Vec::new() };
+        (Solid::Compound(slot), bounds)
+    }
+
+    /// What the children (or the shape) of `object` stand in.
+    fn inherit(&mut self, object: &Object, outer: &Inherited) -> Inherited {
+        let placed = |list: &Vec<Attached<Texture>>| {
+            let place = |a: &Attached<Texture>| Attached {
+                value: a.value.clone(),
+                transform: a.transform.then(&outer.to_world),
+            };
+            (!list.is_empty()).then(|| Rc::new(list.iter().map(place).collect::<Vec<_>>()))
+        };
+        let interior = self.interior(object, outer);
+        let own = placed(&object.textures);
+        let uv_mapping = object.flags.uv_mapping || (own.is_none() && outer.uv_mapping);
+        let mut inner = Inherited {
+            to_world: object.transform.then(&outer.to_world),
+            textures: own.or_else(|| outer.textures.clone()),
+            interior_textures: placed(&object.interior_textures).or_else(|| outer.interior_textures.clone()),
+            interior: Some(interior),
+            flags: merged(&object.flags, &outer.flags),
+            uv_mapping,
+            inverted: outer.inverted != object.flags.inverse,
+            ..outer.clone()
+        };
+        if let Body::Csg { op: CsgOp::LightGroup { global_lights }, children } = &object.body {
+            self.enter_group(&mut inner, children, *global_lights);
+        }
+        inner
+    }
+
+    /// Gathers the lights of a light group, after those of the groups around it.
+    fn enter_group(&mut self, inner: &mut Inherited, children: &[Arc<Object>], global_lights: bool) {
+        let first = self.group_lights.len();
+        for i in inner.group_lights.0..inner.group_lights.1 {
+            let outer = self.group_lights[i as usize].clone();
+            self.group_lights.push(outer);
+        }
+        self.lights_of_group(children, &inner.to_world.clone());
+        inner.group_lights = (first as u32, self.group_lights.len() as u32);
+        inner.ignores_global_lights = !global_lights;
+        inner.in_group = true;
+    }
+
+    fn lights_of_group(&mut self, children: &[Arc<Object>], to_world: &Transform) {
+        for child in children {
+            let here = child.transform.then(to_world);
+            match &child.body {
+                Body::Light(source) => self.light(source, &here, true),
+                Body::Csg { op: CsgOp::Union, children } => self.lights_of_group(children, &here),
+                _ => {}
+            }
+        }
+    }
+
+    fn light(&mut self, source: &LightSource, to_world: &Transform, in_group: bool) {
+        let outer = Inherited { to_world: *to_world, ..Inherited::top() };
+        if let Some(body) = &source.looks_like {
+            let mut body = (**body).clone();
+            body.flags.no_shadow = true;
+            self.top(&body, &outer);
+        }
+        let projector = source.projected_through.as_ref().and_then(|o| self.solid(o, &outer));
+        let projected_through = projector.map(|(solid, _)| {
+            self.projectors.push(solid);
+            self.projectors.len() as u32 - 1
+        });
+        let light = WorldLight { light: place_light(&source.light, to_world), projected_through };
+        if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
+    }
+
+    /// The object's own interior, else that of what it stands in, else a new default one.
+    fn interior(&mut self, object: &Object, outer: &Inherited) -> InteriorId {
+        let hollow = object.flags.hollow.or(outer.flags.hollow).unwrap_or(false);
+        if object.interior.is_none()
+            && let Some(shared) = outer.interior
+        {
+            return shared;
+        }
+        let own = object.interior.as_ref();
+        let interior = own.map_or_else(|| Arc::new(Interior::default()), |a| a.value.clone());
+        let transform = own.map_or(outer.to_world, |a| a.transform.then(&outer.to_world));
+        self.interiors.push(Inside { interior, transform, hollow });
+        InteriorId(self.interiors.len() as u32 - 1)
+    }
+
+    /// The number of a placed texture list on a shape that stands at `to_world`.
+    fn surface(&mut self, textures: &[Attached<Texture>], to_world: &Transform) -> u32 {
+        let layers: Vec<SurfaceLayer> = textures.iter().map(|a| SurfaceLayer::new(a, to_world)).collect();
+        let key: SurfaceKey = layers.iter().map(SurfaceLayer::key).collect();
+        if let Some(&number) = self.surface_numbers.get(&key) {
+            return number;
+        }
+        let opaque = layers.iter().any(|l| l.texture.is_opaque());
+        self.surfaces.push(Surface { layers, opaque });
+        let number = self.surfaces.len() as u32 - 1;
+        self.surface_numbers.insert(key, number);
+        number
+    }
+
+    fn shading(&mut self, shading: Shading) -> u32 {
+        *self.shading_numbers.entry(shading).or_insert_with(|| {
+            self.shadings.push(shading);
+            self.shadings.len() as u32 - 1
+        })
+    }
+
+    fn reserve(&mut self) -> u32 {
+        let empty =
+            Compound { op: Op::Union, children: vec![], child_bounds: vec![], tree: None, clips: vec![] };
+        self.geometry.compounds.push(empty);
+        self.geometry.compounds.len() as u32 - 1
+    }
+
+    fn compound(&mut self, compound: Compound) -> Solid {
+        let slot = self.reserve();
+        self.geometry.compounds[slot as usize] = compound;
+        Solid::Compound(slot)
+    }
+
+    fn nothing(&mut self) -> Solid {
+        Solid::Compound(self.reserve())
+    }
+}
+
+/// Whether a top-level union's children may stand on their own.
+fn splits(object: &Object, outer: &Inherited) -> bool {
+    object.clipped_by.is_empty()
+        && object.bounded_by.is_empty()
+        && object.flags.split_union != Some(false)
+        && object.flags.inverse == outer.inverted
+}
+
+/// Clip and bound objects stand where the object stands, and inherit nothing else.
+fn region(outer: &Inherited) -> Inherited {
+    Inherited { to_world: outer.to_world, in_group: true, ..Inherited::top() }
+}
+
+/// A difference is an intersection with inverted subtrahends; inversion exchanges union and intersection.
+fn effective(op: CsgOp, inverted: bool) -> Op {
+    match (op, inverted) {
+        (CsgOp::Union | CsgOp::LightGroup { .. }, false) => Op::Union,
+        (CsgOp::Merge, false) => Op::Merge,
+        (CsgOp::Intersection | CsgOp::Difference, false) => Op::Intersection,
+        (CsgOp::Union | CsgOp::LightGroup { .. } | CsgOp::Merge, true) => Op::Intersection,
+        (CsgOp::Intersection | CsgOp::Difference, true) => Op::Merge,
+    }
+}
+
+/// A child's flags with those that it takes from its parent.
+fn merged(own: &Flags, outer: &Flags) -> Flags {
+    Flags {
+        no_shadow: own.no_shadow || outer.no_shadow,
+        no_image: own.no_image || outer.no_image,
+        no_reflection: own.no_reflection || outer.no_reflection,
+        no_radiosity: own.no_radiosity || outer.no_radiosity,
+        double_illuminate: own.double_illuminate || outer.double_illuminate,
+        hollow: own.hollow.or(outer.hollow),
+        ..*own
+    }
+}
+
+fn hidden(flags: &Flags) -> u8 {
+    let bit = |on: bool, class: RayClass| if on { class.bit() } else { 0 };
+    bit(flags.no_image, RayClass::Image)
+        | bit(flags.no_reflection, RayClass::Reflected)
+        | bit(flags.no_shadow, RayClass::Shadow)
+        | bit(flags.no_radiosity, RayClass::Radiosity)
+}

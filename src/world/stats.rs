@@ -1,0 +1,64 @@
+use super::World;
+use super::geometry::Solid;
+use std::collections::BTreeMap;
+
+/// What was built for a scene; for `check` and `explain`.
+#[derive(Clone, Debug, Default)]
+pub struct Stats {
+    /// Top-level objects with finite bounds, unions taken apart.
+    pub finite_objects: usize,
+    pub infinite_objects: usize,
+    /// Lights, those of light groups included.
+    pub light_sources: usize,
+    /// Leaves by kind of shape.
+    pub shapes: BTreeMap<&'static str, usize>,
+    /// CSG combinations and clipped objects.
+    pub combinations: usize,
+    pub surfaces: usize,
+    pub interiors: usize,
+    /// Nodes of the tree over the top-level objects; 0 where none was built.
+    pub tree_nodes: usize,
+    pub tree_bytes: usize,
+    /// Bytes that shapes keep beyond their own structures, copies counted once.
+    pub shape_bytes: usize,
+}
+
+impl World {
+    pub fn stats(&self) -> Stats {
+        let g = &self.geometry;
+        let mut stats = Stats {
+            finite_objects: g.finite.len(),
+            infinite_objects: g.infinite.len(),
+            light_sources: self.lights.len() + self.group_lights.len(),
+            combinations: g.compounds.len(),
+            surfaces: self.surfaces.len(),
+            interiors: self.interiors.len(),
+            tree_nodes: g.tree.as_ref().map_or(0, |t| t.node_count()),
+            tree_bytes: g.tree.as_ref().map_or(0, |t| t.heap_bytes()),
+            ..Stats::default()
+        };
+        let mut counted = std::collections::HashSet::new();
+        for leaf in &g.leaves {
+            *stats.shapes.entry(leaf.shape.kind()).or_default() += 1;
+            if counted.insert(std::sync::Arc::as_ptr(&leaf.shape).cast::<()>() as usize) {
+                stats.shape_bytes += leaf.shape.heap_bytes();
+            }
+        }
+        stats
+    }
+
+    /// How deep combinations are nested, counted from the top-level objects.
+    pub fn csg_depth(&self) -> usize {
+        self.geometry.roots.iter().map(|r| self.depth_of(r.solid)).max().unwrap_or(0)
+    }
+
+    fn depth_of(&self, solid: Solid) -> usize {
+        match solid {
+            Solid::Leaf(_) => 0,
+            Solid::Compound(i) => {
+                let children = &self.geometry.compounds[i as usize].children;
+                1 + children.iter().map(|&c| self.depth_of(c)).max().unwrap_or(0)
+            }
+        }
+    }
+}
