@@ -3,6 +3,7 @@
 mod aabb;
 pub mod bvh;
 pub mod field;
+pub mod jitter;
 pub mod noise;
 pub mod random;
 mod range;

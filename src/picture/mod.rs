@@ -16,7 +16,7 @@ pub use file::{Output, PictureError};
 use crate::color::Rgb;
 
 /// What a camera ray found: working values, and the share of the background that shows through.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pixel {
     pub rgb: Rgb,
     pub transmit: f32,

@@ -4,7 +4,7 @@ mod tracer;
 
 pub use tracer::Tracer;
 
-use crate::color::Rgb;
+pub use crate::picture::Pixel;
 
 /// What the caller decides about a picture, apart from the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,14 +23,6 @@ impl Default for Settings {
     fn default() -> Self {
         Self { width: 160, height: 120, quality: 9, alpha: false, max_trace_level: None }
     }
-}
-
-/// The colour of a place on the picture: linear, already weighted with its coverage.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pixel {
-    pub rgb: Rgb,
-    /// 1 where nothing is there.
-    pub transmit: f32,
 }
 
 /// Rays that one tracer has followed.

@@ -42,10 +42,16 @@ fn hash(i: u32) -> u32 {
     u32::from(HASH[(i & 4095) as usize])
 }
 
+/// The hash of a pair of whole numbers, 0 ..= 4095.
+#[inline]
+pub fn hash2(a: i64, b: i64) -> usize {
+    hash(hash(a as u32) ^ (b as u32 & 4095)) as usize
+}
+
 /// The hash of the lattice cell (a, b, c), 0 ..= 4095.
 #[inline]
 pub fn hash3(a: i64, b: i64, c: i64) -> usize {
-    hash(hash(hash(a as u32) ^ (b as u32 & 4095)) ^ (c as u32 & 4095)) as usize
+    hash(hash2(a, b) as u32 ^ (c as u32 & 4095)) as usize
 }
 
 /// A unit cell of the lattice with a point in it.
