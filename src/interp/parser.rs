@@ -21,6 +21,8 @@ pub(crate) struct SceneBuilder {
     pub default_camera: Camera,
     /// Whether `assumed_gamma` was given.
     pub gamma_given: bool,
+    /// Whether `noise_generator` was given.
+    pub noise_given: bool,
 }
 
 impl Parser {

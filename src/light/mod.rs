@@ -1,51 +1,138 @@
-//! Lights: given a point, the direction, distance and colour arriving unshadowed.
+//! Lights: given a point, the direction, distance and colour arriving unshadowed. One file per way of
+//! fading.
+
+mod area;
+mod cylinder;
+mod fade;
+mod spot;
+
+pub use area::AreaLight;
+pub use cylinder::CylinderBeam;
+pub use spot::SpotBeam;
 
 use crate::color::Rgb;
-use crate::math::Vec3;
+use crate::math::{Transform, Vec3};
 
 /// A light as the author described it; directions are unit vectors, angles in radians.
 #[derive(Clone, Debug)]
 pub struct Light {
     pub location: Vec3,
+    pub point_at: Vec3,
     pub color: Rgb,
     pub kind: LightKind,
     pub parallel: bool,
-    /// Unit vector from the location towards `point_at`.
-    pub direction: Vec3,
     pub area: Option<AreaLight>,
     pub shadowless: bool,
     pub fade_distance: f64,
     pub fade_power: f64,
     pub media_attenuation: bool,
     pub media_interaction: bool,
+    pub photons: LightPhotons,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
     Point,
-    /// A cone; `radius` and `falloff` are half angles in radians.
-    Spot {
-        radius: f64,
-        falloff: f64,
-        tightness: f64,
-    },
-    /// A cylinder; `radius` and `falloff` are lengths.
-    Cylinder {
-        radius: f64,
-        falloff: f64,
-        tightness: f64,
-    },
+    /// A cone.
+    Spot(SpotBeam),
+    /// A beam of parallel sides.
+    Cylinder(CylinderBeam),
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub struct AreaLight {
-    pub axis1: Vec3,
-    pub axis2: Vec3,
-    pub size1: u32,
-    pub size2: u32,
-    pub adaptive: u32,
-    pub jitter: bool,
-    pub circular: bool,
-    pub orient: bool,
-    pub illumination: bool,
+/// A light's `photons{}`; switches that were not written are `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightPhotons {
+    pub refraction: Option<bool>,
+    pub reflection: Option<bool>,
+    pub area_light: bool,
+}
+
+/// What arrives at a point when nothing stands between.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrival {
+    /// Unit vector from the point towards the light.
+    pub direction: Vec3,
+    /// How far blockers count. Negative behind a parallel light's plane.
+    pub distance: f64,
+    /// The light's colour after cone and distance fading.
+    pub color: Rgb,
+}
+
+/// Colours whose components all stay below this give no light.
+pub const DARK: f32 = 1e-10;
+
+impl Default for Light {
+    fn default() -> Self {
+        Self {
+            location: Vec3::ZERO,
+            point_at: Vec3::Z,
+            color: Rgb::ZERO,
+            kind: LightKind::Point,
+            parallel: false,
+            area: None,
+            shadowless: false,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            media_attenuation: false,
+            media_interaction: true,
+            photons: LightPhotons::default(),
+        }
+    }
+}
+
+impl Light {
+    /// Unit vector from the location towards `point_at`.
+    pub fn axis(&self) -> Vec3 {
+        (self.point_at - self.location).normalize_or(Vec3::Z)
+    }
+
+    /// The light at `p`; `offset` moves the lamp (a sample of an area light), else zero. `None` where no
+    /// light arrives.
+    pub fn arrival(&self, p: Vec3, offset: Vec3) -> Option<Arrival> {
+        let (direction, distance) = self.towards(p, offset);
+        let cone = match &self.kind {
+            LightKind::Point => 1.0,
+            LightKind::Spot(beam) => beam.factor(-direction.dot(self.axis())),
+            LightKind::Cylinder(beam) => beam.factor(p - self.location - offset, self.axis()),
+        };
+        if cone <= 0.0 {
+            return None;
+        }
+        let factor = cone * fade::factor(distance, self.fade_distance, self.fade_power);
+        let color = self.color * factor as f32;
+        (!is_dark(color)).then_some(Arrival { direction, distance, color })
+    }
+
+    /// Direction to the lamp and distance.
+    fn towards(&self, p: Vec3, offset: Vec3) -> (Vec3, f64) {
+        let lamp = self.location + offset;
+        let to_lamp = lamp - p;
+        if self.parallel {
+            let back = (lamp - self.point_at).normalize_or(-Vec3::Z);
+            return (back, to_lamp.dot(back));
+        }
+        if let LightKind::Cylinder(_) = self.kind {
+            let back = -self.axis();
+            return (back, to_lamp.dot(back));
+        }
+        let distance = to_lamp.length();
+        (to_lamp / distance, distance)
+    }
+
+    /// The light moved by `t`.
+    pub fn transformed(&self, t: &Transform) -> Light {
+        let mut light = self.clone();
+        light.location = t.point(self.location);
+        light.point_at = t.point(self.point_at);
+        if let Some(area) = &mut light.area {
+            area.axis1 = t.vector(area.axis1);
+            area.axis2 = t.vector(area.axis2);
+        }
+        light
+    }
+}
+
+/// Whether a colour counts as no light at all.
+pub fn is_dark(color: Rgb) -> bool {
+    color.abs().max_element() < DARK
 }

@@ -3,8 +3,10 @@
 //! When you hold a [`Scene`], macros have run, names are resolved, angles are radians, colours are in the
 //! working space, defaults are filled in. Transformations still sit where they were written.
 
+mod globals;
 mod object;
 
+pub use globals::{Globals, ObjectPhotons, PhotonSettings, RadiositySettings, SubsurfaceSettings};
 pub use object::{Body, CsgOp, Flags, LightSource, Object};
 
 pub use crate::color::Gamma;
@@ -13,7 +15,6 @@ use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::material::{Attached, Media, Pigment};
 use crate::math::{Transform, Vec3};
-use crate::pattern::NoiseGenerator;
 use std::sync::Arc;
 
 /// A whole scene.
@@ -22,9 +23,7 @@ pub struct Scene {
     pub globals: Globals,
     pub camera: Camera,
     pub objects: Vec<Arc<Object>>,
-    pub background: Color,
-    /// Whether a `background` statement was given.
-    pub has_background: bool,
+    pub background: Background,
     pub sky_sphere: Option<SkySphere>,
     pub fogs: Vec<Fog>,
     pub rainbows: Vec<Rainbow>,
@@ -32,19 +31,15 @@ pub struct Scene {
     pub media: Vec<Attached<Media>>,
 }
 
-/// `global_settings`, and what the language version decides for the picture.
-#[derive(Clone, Debug)]
-pub struct Globals {
-    pub adc_bailout: f32,
-    pub ambient_light: Rgb,
-    pub max_trace_level: u32,
-    pub irid_wavelength: Rgb,
-    pub noise_generator: NoiseGenerator,
-    pub number_of_waves: usize,
-    pub mm_per_unit: f64,
-    pub gamma: Gamma,
-    /// Effective version at the end of the text, times 100: 362 where none was declared.
-    pub effective_version: u32,
+/// What rays see that leave the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    /// No statement: black, and nothing at all in a picture with alpha.
+    None,
+    /// Read under a version before 3.7: opaque, but nothing at all in a picture with alpha.
+    Opaque(Rgb),
+    /// Since 3.7: as transparent as its colour says.
+    Translucent(Color),
 }
 
 #[derive(Clone, Debug)]

@@ -1,3 +1,4 @@
+use super::ObjectPhotons;
 use crate::light::Light;
 use crate::material::{Attached, Interior, Texture};
 use crate::math::Transform;
@@ -21,6 +22,9 @@ pub struct Object {
     pub clipped_by: Vec<Arc<Object>>,
     pub bounded_by: Vec<Arc<Object>>,
     pub flags: Flags,
+    pub photons: ObjectPhotons,
+    /// Share of radiosity rays that look at the object in full; `None` until written.
+    pub importance: Option<f32>,
 }
 
 #[derive(Clone, Debug)]
@@ -80,6 +84,8 @@ impl Object {
             clipped_by: Vec::new(),
             bounded_by: Vec::new(),
             flags: Flags::default(),
+            photons: ObjectPhotons::default(),
+            importance: None,
         }
     }
 
