@@ -7,7 +7,6 @@
 use super::compound::{Compound, Op};
 use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
 use super::hit::{InteriorId, RayClass, Shading, Surface, SurfaceLayer};
-use super::lights::place_light;
 use super::{Inside, WorldLight};
 use crate::material::{Attached, Interior, Texture};
 use crate::math::bvh::{Bvh, Quality};
@@ -314,7 +313,7 @@ impl Flattened {
             self.projectors.push(solid);
             self.projectors.len() as u32 - 1
         });
-        let light = WorldLight { light: place_light(&source.light, to_world), projected_through };
+        let light = WorldLight { light: source.light.transformed(to_world), projected_through };
         if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
     }
 

@@ -7,7 +7,6 @@ mod compound;
 mod flatten;
 mod geometry;
 mod hit;
-mod lights;
 mod query;
 mod scratch;
 mod stats;
