@@ -162,3 +162,98 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
         degrees.to_radians().sin_cos()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
+        (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+    }
+
+    /// Factors from 1/1000 to 1000, of either sign.
+    fn factor() -> impl Strategy<Value = f64> {
+        (-3.0..3.0f64, any::<bool>())
+            .prop_map(|(e, negative)| if negative { -10f64.powf(e) } else { 10f64.powf(e) })
+    }
+
+    fn transform() -> impl Strategy<Value = Transform> {
+        (vector(360.0), factor(), factor(), factor(), vector(1000.0)).prop_map(|(turn, a, b, c, shift)| {
+            Transform::scale(Vec3::new(a, b, c))
+                .then(&Transform::rotate(turn))
+                .then(&Transform::translate(shift))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_inverse_undoes(t in transform(), p in vector(100.0)) {
+            let back = t.inverse_point(t.point(p));
+            prop_assert!(back.distance(p) <= 1e-7 * (1.0 + p.length() + 1e3));
+        }
+
+        #[test]
+        fn composition_applies_the_first_first(a in transform(), b in transform(), p in vector(10.0)) {
+            let two = b.point(a.point(p));
+            let one = a.then(&b).point(p);
+            prop_assert!(one.distance(two) <= 1e-10 * (1.0 + two.length() + 1e6));
+        }
+
+        #[test]
+        fn normals_stay_perpendicular(t in transform(), n in vector(1.0), v in vector(1.0)) {
+            let tangent = n.cross(v);
+            prop_assume!(n.length() > 0.1 && tangent.length() > 0.1);
+            let (m, s) = (t.normal(n), t.vector(tangent));
+            prop_assert!(m.dot(s).abs() <= 1e-9 * m.length() * s.length());
+        }
+
+        #[test]
+        fn bounds_hold_every_transformed_point(t in transform(), a in vector(10.0), b in vector(10.0), k in vector(0.5)) {
+            let bounds = Aabb::new(a, b);
+            let inside = bounds.center() + k * bounds.size();
+            prop_assert!(t.bounds(&bounds).contains(t.point(inside)));
+        }
+
+        #[test]
+        fn a_ray_meets_the_same_points(t in transform(), o in vector(10.0), d in vector(1.0), s in 0.0..100.0f64) {
+            prop_assume!(d.length() > 0.1);
+            let ray = Ray::new(o, d.normalize());
+            let (local, length) = t.inverse_ray(&ray);
+            let (here, there) = (ray.at(s), t.point(local.at(s * length)));
+            prop_assert!(here.distance(there) <= 1e-8 * (1.0 + s + 1e3 * 1e3));
+            prop_assert!((local.dir.length() - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn rotations_turn_as_the_language_says() {
+        let turn = |v: Vec3, by: Vec3| Transform::rotate(by).point(v);
+        assert_eq!(turn(Vec3::X, 90.0 * Vec3::Z), Vec3::Y);
+        assert_eq!(turn(Vec3::X, 90.0 * Vec3::Y), -Vec3::Z);
+        assert_eq!(turn(Vec3::Y, 90.0 * Vec3::X), Vec3::Z);
+        let r = turn(Vec3::new(1.0, 2.0, 3.0), Vec3::new(30.0, 40.0, 50.0));
+        assert!(r.distance(Vec3::new(1.801281062, 2.507690147, 2.113498678)) < 1e-8);
+        let axis = Vec3::ONE.normalize();
+        let r = Transform::rotate_axis(axis, 40f64.to_radians()).point(Vec3::new(1.0, 2.0, 3.0));
+        assert!(r.distance(Vec3::new(1.605069156, 1.257772801, 3.137158043)) < 1e-8);
+    }
+
+    #[test]
+    fn matrices_are_written_for_row_vectors() {
+        let m = Transform::from_rows([1., 2., 3., 4., 5., 6., 7., 8., 10., 11., 12., 13.]).expect("regular");
+        assert!(m.point(Vec3::new(1.0, 2.0, 3.0)).distance(Vec3::new(41.0, 48.0, 58.0)) < 1e-12);
+        assert!(Transform::from_rows([1., 2., 3., 2., 4., 6., 7., 8., 10., 0., 0., 0.]).is_none());
+    }
+
+    #[test]
+    fn infinite_boxes_stay_infinite_only_where_they_are_mixed_in() {
+        let slab = Aabb {
+            min: Vec3::new(f64::NEG_INFINITY, 0.0, f64::NEG_INFINITY),
+            max: Vec3::new(f64::INFINITY, 1.0, f64::INFINITY),
+        };
+        let turned = Transform::rotate(90.0 * Vec3::Z).bounds(&slab);
+        assert!(turned.min.x.is_finite() && turned.max.x.is_finite());
+        assert!(turned.min.y.is_infinite() && turned.max.y.is_infinite());
+    }
+}
