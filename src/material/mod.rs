@@ -2,8 +2,12 @@
 
 mod finish;
 mod interior;
+mod normal;
+mod pigment;
 mod texture;
 
 pub use finish::{Finish, Reflection};
 pub use interior::{Interior, Media};
-pub use texture::{Attached, Layer, Normal, Pigment, Texture, TextureSample};
+pub use normal::{Normal, NormalKind};
+pub use pigment::{GreyPigment, Pigment, PigmentField, PigmentKind, PigmentMap};
+pub use texture::{Attached, Layer, PatternedKind, PatternedTexture, Texture, TextureSample};

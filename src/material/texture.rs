@@ -1,45 +1,12 @@
-use super::Finish;
-use crate::color::Color;
+use super::normal::Frame;
+use super::{Finish, Normal, Pigment};
 use crate::math::{Transform, Vec3};
-use crate::pattern::Context;
+use crate::pattern::{BlendMap, Blended, Context, Signal};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A colour at every point.
-#[derive(Clone, Debug)]
-pub struct Pigment {}
-
-impl Pigment {
-    /// The colour at `p` in pigment space; `None` outside an image mapped `once`.
-    pub fn color(&self, _p: Vec3, _context: &Context) -> Option<Color> {
-        todo!()
-    }
-
-    /// The colour if it is the same everywhere.
-    pub fn plain(&self) -> Option<Color> {
-        todo!()
-    }
-
-    /// Whether no point lets light through.
-    pub fn is_opaque(&self) -> bool {
-        todo!()
-    }
-}
-
-/// A perturbation of surface normals.
-#[derive(Clone, Debug)]
-pub struct Normal {}
-
-impl Normal {
-    /// Perturbs `n` at `p`, both in the space that the normal statement is attached in. `n` is turned
-    /// towards the ray and need not have unit length; the result has.
-    pub fn perturb(&self, _n: Vec3, _p: Vec3, _context: &Context) -> Vec3 {
-        todo!()
-    }
-}
-
 /// Pigment, normal and finish together.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Layer {
     pub pigment: Arc<Pigment>,
     pub normal: Option<Arc<Normal>>,
@@ -53,9 +20,26 @@ pub enum Texture {
     Patterned(Arc<PatternedTexture>),
 }
 
-/// A texture chosen by a pattern (`texture_map`, lists, `material_map`, `average`, `uv_mapping`).
+/// A texture chosen by a pattern.
 #[derive(Clone, Debug)]
-pub struct PatternedTexture {}
+pub struct PatternedTexture {
+    pub kind: PatternedKind,
+    pub signal: Signal,
+    /// Items of the map, list or average; of one item in a `uv_mapping`.
+    pub map: BlendMap<Texture>,
+    pub scale_bumps: bool,
+    opaque: bool,
+    depth: u32,
+}
+
+#[derive(Clone, Debug)]
+pub enum PatternedKind {
+    /// `texture_map`, lists.
+    Blended,
+    Average,
+    /// The item at the surface's (u, v, 0).
+    Uv,
+}
 
 /// One stack of plain layers that shows at a point, with its share of the colour.
 #[derive(Clone, Debug)]
@@ -64,19 +48,127 @@ pub struct TextureSample<'a> {
     pub layers: &'a [Layer],
     /// The point in the layers' space, after the warps of all enclosing patterns.
     pub point: Vec3,
-    /// Plain transforms of the enclosing patterned textures, outermost first, which frame normals.
-    pub frames: SmallVec<[Transform; 2]>,
+    /// The enclosing patterned textures, outermost first, which frame normals.
+    frames: SmallVec<[&'a PatternedTexture; 2]>,
 }
+
+impl TextureSample<'_> {
+    /// The normal of one of the layers. `n` is in texture space, turned towards the ray; the result has unit
+    /// length.
+    pub fn perturb(&self, layer: &Layer, n: Vec3, context: &Context) -> Vec3 {
+        let Some(normal) = &layer.normal else { return n.normalize_or_zero() };
+        let inward = self.frames.iter().fold(n, |n, texture| texture.frame().enter(n));
+        let perturbed = normal.perturb(inward, self.point, context);
+        let outward = self.frames.iter().rev().fold(perturbed, |n, texture| texture.frame().leave(n));
+        outward.normalize_or_zero()
+    }
+}
+
+type Samples<'a> = SmallVec<[TextureSample<'a>; 2]>;
 
 impl Texture {
     /// The stacks that show at `p` (in texture space), with weights that add to 1.
-    pub fn samples<'a>(&'a self, _p: Vec3, _context: &Context, _out: &mut SmallVec<[TextureSample<'a>; 2]>) {
-        todo!()
+    #[inline]
+    pub fn samples<'a>(&'a self, p: Vec3, context: &Context, out: &mut Samples<'a>) {
+        self.gather(p, 1.0, &SmallVec::new(), context, out);
+    }
+
+    fn gather<'a>(
+        &'a self,
+        point: Vec3,
+        weight: f32,
+        frames: &SmallVec<[&'a PatternedTexture; 2]>,
+        context: &Context,
+        out: &mut Samples<'a>,
+    ) {
+        match self {
+            Texture::Layers(layers) => {
+                out.push(TextureSample { weight, layers, point, frames: frames.clone() })
+            }
+            Texture::Patterned(texture) => {
+                let mut frames = frames.clone();
+                frames.push(texture);
+                texture.gather(point, weight, &frames, context, out);
+            }
+        }
     }
 
     /// Whether no point lets light through.
     pub fn is_opaque(&self) -> bool {
-        todo!()
+        match self {
+            Texture::Layers(layers) => layers.iter().any(|layer| layer.pigment.is_opaque()),
+            Texture::Patterned(texture) => texture.opaque,
+        }
+    }
+
+    /// How deep patterned textures are nested.
+    pub fn depth(&self) -> u32 {
+        match self {
+            Texture::Layers(_) => 0,
+            Texture::Patterned(texture) => texture.depth,
+        }
+    }
+
+    /// Moves every pattern of the texture.
+    pub fn transform(&mut self, t: &Transform) {
+        match self {
+            Texture::Layers(layers) => layers.iter_mut().for_each(|layer| layer.transform(t)),
+            Texture::Patterned(texture) => Arc::make_mut(texture).signal.transform(t),
+        }
+    }
+}
+
+impl Layer {
+    /// Moves pigment and normal.
+    pub fn transform(&mut self, t: &Transform) {
+        Arc::make_mut(&mut self.pigment).transform(t);
+        if let Some(normal) = &mut self.normal {
+            Arc::make_mut(normal).transform(t);
+        }
+    }
+}
+
+impl PatternedTexture {
+    pub fn new(kind: PatternedKind, signal: Signal, map: BlendMap<Texture>) -> Self {
+        let opaque = map.items().all(Texture::is_opaque);
+        let depth = 1 + map.items().map(Texture::depth).max().unwrap_or(0);
+        Self { kind, signal, map, scale_bumps: true, opaque, depth }
+    }
+
+    fn frame(&self) -> Frame<'_> {
+        Frame { chain: &self.signal.chain, scale_bumps: self.scale_bumps }
+    }
+
+    fn gather<'a>(
+        &'a self,
+        p: Vec3,
+        weight: f32,
+        frames: &SmallVec<[&'a PatternedTexture; 2]>,
+        context: &Context,
+        out: &mut Samples<'a>,
+    ) {
+        match &self.kind {
+            PatternedKind::Blended => {
+                let q = self.signal.warp(p);
+                match self.map.at(self.signal.value(q, context)) {
+                    Blended::One(texture) => texture.gather(q, weight, frames, context, out),
+                    Blended::Two(t, low, high) => {
+                        low.gather(q, weight * (1.0 - t) as f32, frames, context, out);
+                        high.gather(q, weight * t as f32, frames, context, out);
+                    }
+                }
+            }
+            PatternedKind::Average => {
+                let (q, total) = (self.signal.warp_alone(p), self.map.total_weight());
+                for (share, texture) in self.map.iter() {
+                    texture.gather(q, weight * (share / total) as f32, frames, context, out);
+                }
+            }
+            PatternedKind::Uv => {
+                let q = context.hit.map_or(p, |hit| hit.uv.extend(0.0));
+                self.map.item(0).gather(q, weight, frames, context, out);
+            }
+        }
     }
 }
 

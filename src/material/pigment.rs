@@ -1,0 +1,207 @@
+use crate::color::{Color, grey};
+use crate::math::Vec3;
+use crate::math::field::Field;
+use crate::pattern::{BlendMap, Blended, ColorMap, Context, NoiseGenerator, Pattern, Setting, Signal};
+use std::sync::Arc;
+
+/// A colour at every point.
+#[derive(Clone, Debug)]
+pub struct Pigment {
+    pub kind: PigmentKind,
+    /// Pattern, warps and wave. A plain pigment keeps them for a pattern that is written over it.
+    pub signal: Signal,
+    /// The map or list that was written; `None` for the pattern's own colours.
+    pub map: Option<PigmentMap>,
+    /// Stands for the pigment at low quality.
+    pub quick_color: Option<Color>,
+    /// The pattern's own colours, where no map was written.
+    own_colors: Option<ColorMap>,
+    opaque: bool,
+    depth: u32,
+}
+
+#[derive(Clone, Debug)]
+pub enum PigmentKind {
+    Plain(Color),
+    /// The map at the pattern's value.
+    Patterned,
+    /// The weighted mean of the map's items.
+    Average,
+    /// The inner pigment at the surface's (u, v, 0).
+    Uv(Arc<Pigment>),
+}
+
+#[derive(Clone, Debug)]
+pub enum PigmentMap {
+    Colors(ColorMap),
+    Pigments(BlendMap<Arc<Pigment>>),
+}
+
+impl Default for Pigment {
+    /// Opaque black.
+    fn default() -> Self {
+        Self::plain_color(Color::BLACK)
+    }
+}
+
+impl Pigment {
+    pub fn plain_color(color: Color) -> Self {
+        let mut pigment = Self {
+            kind: PigmentKind::Plain(color),
+            signal: Signal::default(),
+            map: None,
+            quick_color: None,
+            own_colors: None,
+            opaque: true,
+            depth: 0,
+        };
+        pigment.settle();
+        pigment
+    }
+
+    /// Works out what later questions ask for. Call it after every change.
+    pub fn settle(&mut self) {
+        let patterned = matches!(self.kind, PigmentKind::Patterned);
+        self.own_colors =
+            (patterned && self.map.is_none()).then(|| BlendMap::new(self.signal.pattern.colors()));
+        let opaque_map = |map: &ColorMap| map.items().all(|c| !c.is_transparent());
+        self.depth = 1 + self.children().map(|p| p.depth).max().unwrap_or(0);
+        self.opaque = match (&self.kind, &self.map) {
+            (PigmentKind::Plain(color), _) => !color.is_transparent(),
+            (PigmentKind::Patterned, None) => true,
+            (PigmentKind::Patterned | PigmentKind::Average, Some(PigmentMap::Colors(map))) => opaque_map(map),
+            _ => self.children().all(|p| p.opaque),
+        };
+    }
+
+    fn children(&self) -> impl Iterator<Item = &Arc<Pigment>> {
+        let (inner, map) = match (&self.kind, &self.map) {
+            (PigmentKind::Uv(inner), _) => (Some(inner), None),
+            (PigmentKind::Patterned | PigmentKind::Average, Some(PigmentMap::Pigments(map))) => {
+                (None, Some(map))
+            }
+            _ => (None, None),
+        };
+        inner.into_iter().chain(map.into_iter().flat_map(BlendMap::items))
+    }
+
+    /// How deep pigments are nested in this one, itself included.
+    pub fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// The colour at `p` in pigment space; `None` outside an image mapped `once`.
+    pub fn color(&self, p: Vec3, context: &Context) -> Option<Color> {
+        match &self.kind {
+            PigmentKind::Plain(color) => Some(*color),
+            PigmentKind::Patterned => Some(self.patterned(p, context)),
+            PigmentKind::Average => self.average(p, context),
+            PigmentKind::Uv(inner) => {
+                let uv = context.hit?.uv;
+                inner.color(uv.extend(0.0), context)
+            }
+        }
+    }
+
+    /// The colour, with what shows outside an image: clear white.
+    pub fn color_or_clear(&self, p: Vec3, context: &Context) -> Color {
+        self.color(p, context).unwrap_or(Color::new(1.0, 1.0, 1.0, 0.0, 1.0))
+    }
+
+    #[inline]
+    fn patterned(&self, p: Vec3, context: &Context) -> Color {
+        let q = self.signal.warp(p);
+        let value = self.signal.value(q, context);
+        match (&self.map, &self.own_colors) {
+            (Some(PigmentMap::Colors(map)), _) | (None, Some(map)) => map.color(value),
+            (Some(PigmentMap::Pigments(map)), _) => match map.at(value) {
+                Blended::One(pigment) => pigment.color_or_clear(q, context),
+                Blended::Two(t, low, high) => {
+                    let (low, high) = (low.color_or_clear(q, context), high.color_or_clear(q, context));
+                    low.lerp(high, t as f32)
+                }
+            },
+            (None, None) => Color::BLACK,
+        }
+    }
+
+    fn average(&self, p: Vec3, context: &Context) -> Option<Color> {
+        let q = self.signal.warp_alone(p);
+        let (sum, total) = match self.map.as_ref()? {
+            PigmentMap::Colors(map) => {
+                (map.iter().fold(Color::BLACK, |sum, (w, &c)| sum + c * w as f32), map.total_weight())
+            }
+            PigmentMap::Pigments(map) => {
+                let add = |sum, (w, c): (f64, &Arc<Pigment>)| sum + c.color_or_clear(q, context) * w as f32;
+                (map.iter().fold(Color::BLACK, add), map.total_weight())
+            }
+        };
+        Some(sum * (1.0 / total) as f32)
+    }
+
+    /// The colour if it is the same everywhere.
+    pub fn plain(&self) -> Option<Color> {
+        match self.kind {
+            PigmentKind::Plain(color) => Some(color),
+            _ => None,
+        }
+    }
+
+    /// Whether no point lets light through.
+    pub fn is_opaque(&self) -> bool {
+        self.opaque
+    }
+
+    /// Moves what the pigment shows.
+    pub fn transform(&mut self, t: &crate::math::Transform) {
+        self.signal.transform(t);
+    }
+
+    /// Turns `filter` into `transmit`, as old versions do in all layers but the lowest.
+    pub fn unfilter(&mut self) {
+        let clear = |c: &mut Color| {
+            c.transmit += c.filter;
+            c.filter = 0.0;
+        };
+        if let PigmentKind::Plain(color) = &mut self.kind {
+            clear(color);
+        }
+        match &mut self.map {
+            Some(PigmentMap::Colors(map)) => map.items_mut().for_each(clear),
+            Some(PigmentMap::Pigments(map)) => map.items_mut().for_each(|p| Arc::make_mut(p).unfilter()),
+            None => (),
+        }
+    }
+}
+
+/// The grey value of a pigment, as a pattern.
+#[derive(Clone, Debug)]
+pub struct GreyPigment(pub Arc<Pigment>);
+
+impl Pattern for GreyPigment {
+    fn value(&self, p: Vec3, setting: &Setting) -> f64 {
+        f64::from(grey(self.0.color_or_clear(p, setting.context).rgb))
+    }
+}
+
+/// A pigment as a function of space, away from any surface.
+#[derive(Clone, Debug)]
+pub struct PigmentField {
+    pub pigment: Arc<Pigment>,
+    pub noise: NoiseGenerator,
+    pub waves: usize,
+}
+
+impl PigmentField {
+    pub fn color(&self, p: Vec3) -> Color {
+        let context = Context { noise: self.noise, waves: self.waves, hit: None };
+        self.pigment.color_or_clear(p, &context)
+    }
+}
+
+impl Field for PigmentField {
+    /// The grey value.
+    fn value(&self, p: Vec3) -> f64 {
+        f64::from(grey(self.color(p).rgb))
+    }
+}

@@ -1,0 +1,22 @@
+use super::{Character, EDGE, Pattern, Setting, listed};
+use crate::color::Color;
+use crate::math::Vec3;
+
+/// Unit cubes of two kinds in turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Checker;
+
+impl Pattern for Checker {
+    fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
+        let cell = (p + Vec3::splat(EDGE)).floor();
+        f64::from((cell.x + cell.y + cell.z).rem_euclid(2.0) != 0.0)
+    }
+
+    fn character(&self) -> Character {
+        Character::list(2)
+    }
+
+    fn colors(&self) -> Vec<(f32, Color)> {
+        listed(&[[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
+    }
+}

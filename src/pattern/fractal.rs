@@ -1,0 +1,207 @@
+//! Escape-time fractals in the xy plane.
+//!
+//! | fractal | iteration |
+//! |---|---|
+//! | mandel | `z ← z^e + c` from the point, c the point |
+//! | julia | the same with a fixed c |
+//! | magnet 1 | `z ← ((z² + c - 1) / (2z + c - 2))²` |
+//! | magnet 2 | `z ← ((z³ + 3(c-1)z + (c-1)(c-2)) / (3z² + 3(c-2)z + (c-1)(c-2) + 1))²` |
+//!
+//! Points that escape are coloured by `exterior` (type 1: by how soon), the others by `interior` (type 0: a
+//! constant). Magnets also end when they come near their fixed point 1.
+
+use super::{Modifier, Pattern, Setting, keyed};
+use crate::color::Color;
+use crate::math::Vec3;
+use std::sync::Arc;
+
+#[derive(Clone, Copy, Debug)]
+pub struct Fractal {
+    pub kind: FractalKind,
+    /// The constant of a julia set; the point itself in a mandel set.
+    pub constant: Option<[f64; 2]>,
+    pub iterations: u32,
+    pub exterior: (u32, f64),
+    pub interior: (u32, f64),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FractalKind {
+    /// The exponent, 2 ..= 33.
+    Power(u32),
+    Magnet(Magnet),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Magnet {
+    First,
+    Second,
+}
+
+impl Fractal {
+    pub fn new(kind: FractalKind, constant: Option<[f64; 2]>, iterations: u32) -> Self {
+        Self { kind, constant, iterations, exterior: (1, 1.0), interior: (0, 1.0) }
+    }
+
+    /// The value of a point that escaped in iteration `k`, arriving at `z`.
+    fn outside(&self, k: u32, z: Complex) -> f64 {
+        let (kind, factor) = self.exterior;
+        let remainder = |divisor: f64| {
+            let divisor = divisor as i64;
+            if divisor == 0 { 0.0 } else { (i64::from(k) % divisor) as f64 / factor }
+        };
+        match kind {
+            0 => factor,
+            2 => z.re * factor,
+            3 => z.im * factor,
+            4 => z.re * z.re * factor,
+            5 => z.im * z.im * factor,
+            6 => z.square_length().sqrt() * factor,
+            7 => remainder(factor),
+            8 => remainder(1.0 + factor),
+            _ => f64::from(k) / f64::from(self.iterations),
+        }
+    }
+
+    /// The value of a point that stays, ending at `z` after coming as near to 0 as `least` squared.
+    fn inside(&self, least: f64, z: Complex) -> f64 {
+        let (kind, factor) = self.interior;
+        match kind {
+            1 => least.sqrt() * factor,
+            2 => z.re * factor,
+            3 => z.im * factor,
+            4 => z.re * z.re * factor,
+            5 => z.im * z.im * factor,
+            6 => z.re * z.re + z.im * z.im * factor,
+            _ => factor,
+        }
+    }
+
+    fn step(&self, z: Complex, c: Complex) -> Complex {
+        let one = Complex::new(1.0, 0.0);
+        match self.kind {
+            FractalKind::Power(exponent) => z.power(exponent) + c,
+            FractalKind::Magnet(Magnet::First) => {
+                let top = z * z + c - one;
+                let bottom = z * 2.0 + c - one * 2.0;
+                (top / bottom).power(2)
+            }
+            FractalKind::Magnet(Magnet::Second) => {
+                let (c1, c2) = (c - one, c - one * 2.0);
+                let top = z * z * z + c1 * z * 3.0 + c1 * c2;
+                let bottom = z * z * 3.0 + c2 * z * 3.0 + c1 * c2 + one;
+                (top / bottom).power(2)
+            }
+        }
+    }
+
+    /// Whether the iteration ends at `z`.
+    fn escapes(&self, z: Complex) -> bool {
+        match self.kind {
+            FractalKind::Power(_) => z.square_length() > 4.0,
+            FractalKind::Magnet(_) => {
+                z.square_length() > 10000.0 || (z - Complex::new(1.0, 0.0)).square_length() < 0.0001
+            }
+        }
+    }
+}
+
+impl Pattern for Fractal {
+    fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
+        let start = Complex::new(p.x, p.y);
+        let (c, mut z, mut least) = match (self.constant, self.kind) {
+            (Some([re, im]), _) => (Complex::new(re, im), start, start.square_length()),
+            (None, FractalKind::Power(_)) => (start, start, start.square_length()),
+            (None, FractalKind::Magnet(_)) => (start, Complex::new(0.0, 0.0), 10000.0),
+        };
+        for k in 0..self.iterations {
+            z = self.step(z, c);
+            least = least.min(z.square_length());
+            if self.escapes(z) {
+                return self.outside(k, z);
+            }
+        }
+        self.inside(least, z)
+    }
+
+    fn colors(&self) -> Vec<(f32, Color)> {
+        if self.constant.is_none() && self.kind == FractalKind::Power(2) {
+            keyed(&[
+                (0.001, [0.0, 0.0, 0.0]),
+                (0.001, [0.0, 1.0, 1.0]),
+                (0.012, [1.0, 1.0, 0.0]),
+                (0.015, [1.0, 0.0, 1.0]),
+                (0.1, [0.0, 1.0, 1.0]),
+            ])
+        } else {
+            keyed(&[(0.0, [0.0, 0.0, 0.0]), (1.0, [1.0, 1.0, 1.0])])
+        }
+    }
+
+    fn modified(&self, modifier: Modifier) -> Option<Arc<dyn Pattern>> {
+        let mut changed = *self;
+        match (modifier, self.kind) {
+            (Modifier::Exponent(e), FractalKind::Power(_)) => changed.kind = FractalKind::Power(e),
+            (Modifier::Exterior(kind, factor), _) => changed.exterior = (kind, factor),
+            (Modifier::Interior(kind, factor), _) => changed.interior = (kind, factor),
+            _ => return None,
+        }
+        Some(Arc::new(changed))
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Complex {
+    re: f64,
+    im: f64,
+}
+
+impl Complex {
+    const fn new(re: f64, im: f64) -> Self {
+        Self { re, im }
+    }
+
+    fn square_length(self) -> f64 {
+        self.re * self.re + self.im * self.im
+    }
+
+    fn power(self, exponent: u32) -> Self {
+        (1..exponent).fold(self, |z, _| z * self)
+    }
+}
+
+impl std::ops::Add for Complex {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self::new(self.re + o.re, self.im + o.im)
+    }
+}
+
+impl std::ops::Sub for Complex {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.re - o.re, self.im - o.im)
+    }
+}
+
+impl std::ops::Mul for Complex {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        Self::new(self.re * o.re - self.im * o.im, self.re * o.im + self.im * o.re)
+    }
+}
+
+impl std::ops::Mul<f64> for Complex {
+    type Output = Self;
+    fn mul(self, k: f64) -> Self {
+        Self::new(self.re * k, self.im * k)
+    }
+}
+
+impl std::ops::Div for Complex {
+    type Output = Self;
+    fn div(self, o: Self) -> Self {
+        let scale = 1.0 / o.square_length();
+        self * Self::new(o.re, -o.im) * scale
+    }
+}

@@ -1,0 +1,132 @@
+//! Maps from values to things.
+
+use crate::color::Color;
+
+/// Entries by key, in the order written.
+///
+/// Keys need not be sorted: the rules of [`BlendMap::at`] hold all the same. In an average they are weights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlendMap<T> {
+    entries: Vec<(f64, T)>,
+    sorted: bool,
+}
+
+pub type ColorMap = BlendMap<Color>;
+
+/// What a map has at a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Blended<'a, T> {
+    One(&'a T),
+    /// The share of the second, and both.
+    Two(f64, &'a T, &'a T),
+}
+
+impl<T> BlendMap<T> {
+    /// Keys in single precision; there must be an entry.
+    pub fn new(entries: Vec<(f32, T)>) -> Self {
+        assert!(!entries.is_empty(), "a map has an entry");
+        let sorted = entries.windows(2).all(|w| w[0].0 <= w[1].0);
+        Self { entries: entries.into_iter().map(|(k, item)| (f64::from(k), item)).collect(), sorted }
+    }
+
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    pub fn items(&self) -> impl Iterator<Item = &T> {
+        self.entries.iter().map(|(_, item)| item)
+    }
+
+    pub fn items_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.entries.iter_mut().map(|(_, item)| item)
+    }
+
+    /// Key and item, in the order written.
+    pub fn iter(&self) -> impl Iterator<Item = (f64, &T)> {
+        self.entries.iter().map(|(key, item)| (*key, item))
+    }
+
+    pub fn item(&self, index: usize) -> &T {
+        &self.entries[index.min(self.entries.len() - 1)].1
+    }
+
+    pub fn total_weight(&self) -> f64 {
+        self.entries.iter().map(|(weight, _)| weight).sum()
+    }
+
+    /// The last entry from its key on; else the first entry whose key is at least `v`, alone if the key is
+    /// `v` or nothing stands before it, otherwise blended with the entry before it.
+    #[inline]
+    pub fn at(&self, v: f64) -> Blended<'_, T> {
+        let last = self.entries.len() - 1;
+        if v >= self.entries[last].0 {
+            return Blended::One(&self.entries[last].1);
+        }
+        let upper = if self.sorted && last > 8 {
+            self.entries.partition_point(|&(key, _)| key < v)
+        } else {
+            self.entries.iter().position(|&(key, _)| key >= v).unwrap_or(last)
+        };
+        let (high, ref item) = self.entries[upper.min(last)];
+        if upper == 0 || high == v {
+            return Blended::One(item);
+        }
+        let (low, ref before) = self.entries[upper - 1];
+        Blended::Two((v - low) / (high - low), before, item)
+    }
+}
+
+impl BlendMap<Color> {
+    #[inline]
+    pub fn color(&self, v: f64) -> Color {
+        match self.at(v) {
+            Blended::One(&color) => color,
+            Blended::Two(t, &low, &high) => low + (high + low * -1.0) * t as f32,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lookup_follows_the_written_order() {
+        let map = BlendMap::new(vec![(0.5, 'a'), (0.25, 'b'), (0.75, 'c')]);
+        assert_eq!(map.at(0.1), Blended::One(&'a'));
+        assert_eq!(map.at(0.6), Blended::Two((0.6 - 0.25) / 0.5, &'b', &'c'));
+        assert_eq!(map.at(0.75), Blended::One(&'c'));
+    }
+
+    #[test]
+    fn a_double_key_is_a_step_with_the_earlier_entry_at_the_key() {
+        let map = BlendMap::new(vec![(0.0, 'a'), (0.5, 'b'), (0.5, 'c'), (1.0, 'd')]);
+        assert_eq!(map.at(0.5), Blended::One(&'b'));
+        assert!(matches!(map.at(0.50001), Blended::Two(_, 'c', 'd')));
+    }
+
+    #[test]
+    fn long_maps_are_searched_alike() {
+        let long = BlendMap::new((0..40).map(|i| (i as f32 * 0.025, i)).collect());
+        for step in 0..500 {
+            let v = f64::from(step) * 0.0021 - 0.01;
+            let by_hand = long.iter().position(|(key, _)| key >= v);
+            match (by_hand, long.at(v)) {
+                (None, Blended::One(&i)) => assert_eq!(i, 39),
+                (Some(i), Blended::One(&j)) => assert_eq!(i, j),
+                (Some(i), Blended::Two(_, _, &j)) => assert_eq!(i, j),
+                other => panic!("{v}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn undefined_values_choose_something() {
+        let map = BlendMap::new(vec![(0.0, 'a'), (1.0, 'b')]);
+        map.at(f64::NAN);
+    }
+}

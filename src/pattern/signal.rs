@@ -1,0 +1,128 @@
+use super::{Bozo, Chain, Context, NoiseGenerator, Pattern, Setting, Turbulence, Wave};
+use crate::math::field::Field;
+use crate::math::{Transform, Vec3};
+use std::sync::Arc;
+
+/// A pattern as pigments, normals and textures use it: warped, repeated by a frequency, shaped by a wave.
+///
+/// | setting | default | meaning |
+/// |---|---|---|
+/// | chain | empty | transformations and warps |
+/// | turbulence | none | acts after the chain |
+/// | frequency, phase | 1, 0 | the value becomes `value * frequency + phase`, wrapped |
+/// | wave | ramp | shape of each period |
+/// | noise_generator | 0 | generator; 0 for the scene's |
+///
+/// Settings stay when the pattern changes, except those that the new pattern's keyword sets.
+#[derive(Clone, Debug)]
+pub struct Signal {
+    pub pattern: Arc<dyn Pattern>,
+    pub chain: Chain,
+    pub turbulence: Turbulence,
+    pub frequency: f64,
+    pub phase: f64,
+    pub wave: Wave,
+    pub noise_generator: u32,
+}
+
+impl Default for Signal {
+    fn default() -> Self {
+        Self {
+            pattern: Arc::new(Bozo),
+            chain: Chain::default(),
+            turbulence: Turbulence::default(),
+            frequency: 1.0,
+            phase: 0.0,
+            wave: Wave::Ramp,
+            noise_generator: 0,
+        }
+    }
+}
+
+/// Values wrap around here, not at 1: 1 itself stays, 2 becomes 0.99999.
+const PERIOD: f64 = 1.00001;
+
+impl Signal {
+    pub fn new(pattern: Arc<dyn Pattern>) -> Self {
+        let mut signal = Self::default();
+        signal.set_pattern(pattern);
+        signal
+    }
+
+    /// Changes the pattern and what its keyword sets.
+    pub fn set_pattern(&mut self, pattern: Arc<dyn Pattern>) {
+        let character = pattern.character();
+        if !character.periodic {
+            self.frequency = 0.0;
+        }
+        if let Some(wave) = character.wave {
+            self.wave = wave;
+        }
+        self.pattern = pattern;
+    }
+
+    /// Moves the pattern.
+    pub fn transform(&mut self, t: &Transform) {
+        self.chain.transform(t);
+    }
+
+    fn setting<'a>(&'a self, context: &'a Context<'a>) -> Setting<'a> {
+        Setting {
+            noise: NoiseGenerator::from_number(self.noise_generator).unwrap_or(context.noise),
+            turbulence: &self.turbulence,
+            frequency: self.frequency,
+            phase: self.phase,
+            context,
+        }
+    }
+
+    /// A point outside to the pattern's own space, where [`Signal::value`] and the items of maps are taken.
+    #[inline]
+    pub fn warp(&self, p: Vec3) -> Vec3 {
+        let p = self.chain.apply(p);
+        let p = if self.pattern.character().absorbs_turbulence { p } else { self.turbulence.displace(p) };
+        p.clamp(Vec3::splat(-1e17), Vec3::splat(1e17))
+    }
+
+    /// The same for a signal whose pattern is not used: averages, images, plain containers.
+    #[inline]
+    pub fn warp_alone(&self, p: Vec3) -> Vec3 {
+        self.turbulence.displace(self.chain.apply(p)).clamp(Vec3::splat(-1e17), Vec3::splat(1e17))
+    }
+
+    /// The map value at a warped point.
+    #[inline]
+    pub fn value(&self, warped: Vec3, context: &Context) -> f64 {
+        let mut v = self.pattern.value(warped, &self.setting(context));
+        if self.frequency != 0.0 {
+            v = v * self.frequency + self.phase;
+            if !(0.0..PERIOD).contains(&v) {
+                v %= PERIOD;
+            }
+        }
+        if v < 0.0 {
+            v -= v.floor();
+        }
+        self.wave.shape(v)
+    }
+
+    /// The normal perturbed by the pattern's own rule, if it has one.
+    pub fn perturb(&self, n: Vec3, amount: f64, warped: Vec3, context: &Context) -> Option<Vec3> {
+        self.pattern.perturb(n, amount, warped, &self.setting(context))
+    }
+}
+
+/// A pattern as a function of space, away from any surface.
+#[derive(Clone, Debug)]
+pub struct PatternField {
+    pub signal: Signal,
+    pub noise: NoiseGenerator,
+    pub waves: usize,
+}
+
+impl Field for PatternField {
+    fn value(&self, p: Vec3) -> f64 {
+        let context = Context { noise: self.noise, waves: self.waves, hit: None };
+        self.signal.value(self.signal.warp(p), &context)
+    }
+}
