@@ -5,6 +5,7 @@ pub mod bvh;
 pub mod field;
 pub mod jitter;
 pub mod noise;
+pub mod polynomial;
 pub mod random;
 mod range;
 mod ray;

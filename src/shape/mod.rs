@@ -1,7 +1,43 @@
 //! Shapes: what a ray crosses, in the shape's own space. One file each.
 
+mod cone;
+#[cfg(test)]
+mod conformance;
+mod cuboid;
+mod cylinder;
+mod disc;
+mod empty;
+mod plane;
+mod polygon;
+mod span;
+mod sphere;
+mod torus;
+mod triangle;
+
+pub use cone::Cone;
+pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
+pub use disc::Disc;
+pub use empty::Empty;
+pub use plane::Plane;
+pub use polygon::Polygon;
+pub use sphere::Sphere;
+pub use torus::Torus;
+pub use triangle::{SmoothTriangle, Triangle};
+
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
 use std::fmt::Debug;
+use std::sync::Arc;
+
+/// Faces nearer to each other than this part of the shape's size coincide: solids whose rule counts the
+/// surface as inside (or outside) do so within this distance, so that faces shared by two solids are
+/// treated alike at every point in spite of rounding.
+pub(crate) const COINCIDENT: f64 = 1e-11;
+
+/// A bound on what a few roundings do to numbers of size `scale`.
+pub(crate) fn rounding(scale: f64) -> f64 {
+    16.0 * EPSILON * scale
+}
 
 /// One place where a ray crosses a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +91,12 @@ pub trait Shape: Debug + Send + Sync {
     /// Whether the shape has an inside at all.
     fn is_solid(&self) -> bool {
         true
+    }
+
+    /// The shape that `inverse` turns this one into, where that is not its complement with the normal
+    /// turned round. It replaces the shape, and is not inverted any further.
+    fn inverse(&self) -> Option<Arc<dyn Shape>> {
+        None
     }
 
     /// The unit normal at a crossing, outward where the specification does not say otherwise; not turned

@@ -1,0 +1,283 @@
+//! Real roots of polynomials in one variable.
+//!
+//! Coefficients are written lowest power first: `c[0] + c[1] t + c[2] t² + …`.
+//!
+//! The roots of the derivative cut the range into pieces on which the polynomial is monotone; each piece
+//! whose ends differ in sign holds exactly one root, which Newton's method finds inside a shrinking
+//! bracket. Whether there is a root is decided by signs alone, so a ray that starts just outside a surface
+//! and leaves it cannot meet it again at a distance of a few roundings. No coefficient is ever taken for
+//! zero because it is small; leading coefficients that are exactly 0 are dropped.
+//!
+//! Reference: C. Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022.
+
+use super::{EPSILON, Range};
+use smallvec::SmallVec;
+
+/// Roots in ascending order.
+pub type Roots = SmallVec<[f64; 6]>;
+
+/// Bracketed Newton steps before the bracket's middle is accepted; bisection alone needs at most this many
+/// for any two doubles of like magnitude.
+const MAX_STEPS: usize = 128;
+
+/// A value below this many roundings of the sum of the terms' sizes counts as touching zero.
+const TOUCH: f64 = 32.0 * EPSILON;
+
+/// What to report where the polynomial reaches zero without changing its sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Touching {
+    /// Nothing: only sign changes are crossings.
+    Skip,
+    /// One root, also where rounding keeps the polynomial a little off zero.
+    Once,
+}
+
+/// Value at `t`.
+pub fn value(c: &[f64], t: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, &k| sum * t + k)
+}
+
+/// Value and first derivative at `t`.
+pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
+    c.iter().rev().fold((0.0, 0.0), |(f, d), &k| (f * t + k, d * t + f))
+}
+
+/// Sum of the absolute values of the terms at `t`: what rounding errors are measured by.
+pub fn magnitude(c: &[f64], t: f64) -> f64 {
+    let t = t.abs();
+    c.iter().rev().fold(0.0, |sum, &k| sum * t + k.abs())
+}
+
+/// The roots strictly inside `range`.
+pub fn roots(c: &[f64], range: Range, touching: Touching) -> Roots {
+    let c = trimmed(c);
+    let mut out = Roots::new();
+    if c.len() < 2 || c.iter().any(|k| !k.is_finite()) {
+        return out;
+    }
+    let (mut lo, mut hi) = (range.min, range.max);
+    if !(lo.is_finite() && hi.is_finite()) {
+        let bound = root_bound(c);
+        (lo, hi) = (lo.max(-bound), hi.min(bound));
+    }
+    if lo < hi {
+        collect(c, lo, hi, touching, &mut out);
+    }
+    out
+}
+
+/// The smallest root strictly inside `range` where the sign changes.
+pub fn first_root(c: &[f64], range: Range) -> Option<f64> {
+    roots(c, range, Touching::Skip).first().copied()
+}
+
+fn trimmed(c: &[f64]) -> &[f64] {
+    let n = c.iter().rposition(|&k| k != 0.0).map_or(0, |i| i + 1);
+    &c[..n]
+}
+
+/// Fujiwara's bound: no root has a larger absolute value. Capped so that powers do not overflow.
+fn root_bound(c: &[f64]) -> f64 {
+    let n = c.len() - 1;
+    let lead = c[n];
+    let largest = (0..n).map(|i| (c[i] / lead).abs().powf(1.0 / (n - i) as f64)).fold(0.0, f64::max);
+    (2.0 * largest * (1.0 + 8.0 * EPSILON)).min(10f64.powf(140.0 / n as f64))
+}
+
+fn collect(c: &[f64], lo: f64, hi: f64, touching: Touching, out: &mut Roots) {
+    match c.len() {
+        0 | 1 => {}
+        2 => push_inside(-c[0] / c[1], lo, hi, out),
+        3 => quadratic(c, lo, hi, touching, out),
+        _ => {
+            let slope = derivative(c);
+            let mut turns = Roots::new();
+            collect(trimmed(&slope), lo, hi, Touching::Skip, &mut turns);
+            between_turns(c, lo, hi, &turns, touching, out);
+        }
+    }
+}
+
+fn push_inside(t: f64, lo: f64, hi: f64, out: &mut Roots) {
+    if t > lo && t < hi {
+        out.push(t);
+    }
+}
+
+fn derivative(c: &[f64]) -> SmallVec<[f64; 8]> {
+    c.iter().enumerate().skip(1).map(|(i, &k)| i as f64 * k).collect()
+}
+
+/// Both roots of `c[0] + c[1] t + c[2] t²` without cancellation.
+fn quadratic(c: &[f64], lo: f64, hi: f64, touching: Touching, out: &mut Roots) {
+    let (a, half_b) = (c[2], 0.5 * c[1]);
+    let disc = half_b * half_b - a * c[0];
+    if disc <= 0.0 {
+        if touching == Touching::Once && disc >= -TOUCH * (half_b * half_b + (a * c[0]).abs()) {
+            push_inside(-half_b / a, lo, hi, out);
+        }
+        return;
+    }
+    let q = -(half_b + disc.sqrt().copysign(half_b));
+    let (r0, r1) = if q == 0.0 { (-(disc.sqrt() / a), disc.sqrt() / a) } else { (q / a, c[0] / q) };
+    push_inside(r0.min(r1), lo, hi, out);
+    push_inside(r0.max(r1), lo, hi, out);
+}
+
+/// One root per monotone piece whose ends differ in sign. `turns` are the derivative's sign changes.
+fn between_turns(c: &[f64], lo: f64, hi: f64, turns: &[f64], touching: Touching, out: &mut Roots) {
+    let mut left = (lo, value_beside(c, lo, 1.0));
+    for (i, &x) in turns.iter().chain(std::iter::once(&hi)).enumerate() {
+        let is_end = i == turns.len();
+        let f = if is_end { value_beside(c, hi, -1.0) } else { value(c, x) };
+        if touching == Touching::Once && !is_end && f.abs() <= TOUCH * magnitude(c, x) {
+            push_distinct(x, out);
+            // The sign beyond comes from the next turn; a root is not sought in the two pieces beside.
+            left = (x, 0.0);
+            continue;
+        }
+        if f == 0.0 {
+            continue;
+        }
+        if left.1 * f < 0.0 || (left.1 != 0.0 && left.1.is_sign_negative() != f.is_sign_negative()) {
+            push_distinct(bracketed(c, left, (x, f)), out);
+        }
+        left = (x, f);
+    }
+}
+
+fn push_distinct(t: f64, out: &mut Roots) {
+    if out.last().is_none_or(|&last| t > last) {
+        out.push(t);
+    }
+}
+
+/// The value at `x`; where it is 0, something with the sign that it has a little further in direction
+/// `side` (1 or -1).
+fn value_beside(c: &[f64], x: f64, side: f64) -> f64 {
+    let mut k: SmallVec<[f64; 8]> = c.into();
+    let mut sign = 1.0;
+    while !k.is_empty() {
+        let f = value(&k, x);
+        if f != 0.0 {
+            return sign * f;
+        }
+        k = derivative(&k);
+        sign *= side;
+    }
+    0.0
+}
+
+/// The root between two ends with values of different sign: Newton's method, with a bisection whenever a
+/// step leaves the bracket or shrinks it too slowly.
+fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64)) -> f64 {
+    let (mut lo, mut hi) = (left.0, right.0);
+    let rising = left.1 < 0.0;
+    let mut x = lo + (hi - lo) * (left.1 / (left.1 - right.1)).clamp(0.05, 0.95);
+    let mut last_width = hi - lo;
+    for step in 0..MAX_STEPS {
+        let (f, d) = value_and_slope(c, x);
+        if f == 0.0 {
+            return x;
+        }
+        if (f < 0.0) == rising {
+            lo = x;
+        } else {
+            hi = x;
+        }
+        let next = x - f / d;
+        let close = (next - x).abs() <= 2.0 * EPSILON * x.abs();
+        if close && next >= lo && next <= hi {
+            return next;
+        }
+        let slow = step % 4 == 3 && hi - lo > 0.25 * std::mem::replace(&mut last_width, hi - lo);
+        x = if next > lo && next < hi && !slow { next } else { lo + 0.5 * (hi - lo) };
+        if x <= lo || x >= hi {
+            return x;
+        }
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coefficients of the product of (t - r) over all roots.
+    fn from_roots(roots: &[f64]) -> Vec<f64> {
+        let mut c = vec![1.0];
+        for &r in roots {
+            let mut next = vec![0.0; c.len() + 1];
+            for (i, &k) in c.iter().enumerate() {
+                next[i + 1] += k;
+                next[i] -= r * k;
+            }
+            c = next;
+        }
+        c
+    }
+
+    #[test]
+    fn separated_roots_come_back() {
+        let cases: [&[f64]; 5] = [
+            &[0.3, 0.7],
+            &[-2.5, 0.125, 3.0],
+            &[-1.75, -0.5, 0.25, 4.0],
+            &[-3.0, -1.0, 0.5, 1.0, 2.5],
+            &[-2.0, -1.0, -0.5, 0.5, 1.5, 2.5, 3.25],
+        ];
+        for expected in cases {
+            let found = roots(&from_roots(expected), Range::LINE, Touching::Skip);
+            assert_eq!(found.len(), expected.len(), "{expected:?} {found:?}");
+            for (f, e) in found.iter().zip(expected) {
+                assert!((f - e).abs() <= 1e-12 * e.abs().max(1.0), "{f} {e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_double_root_is_one_touch() {
+        let c = from_roots(&[1.5, 1.5, -0.25, 4.0]);
+        assert_eq!(roots(&c, Range::LINE, Touching::Skip).len(), 2);
+        let all = roots(&c, Range::LINE, Touching::Once);
+        assert_eq!(all.len(), 3, "{all:?}");
+        assert!((all[1] - 1.5).abs() < 1e-7);
+    }
+
+    #[test]
+    fn close_pairs_are_kept_apart() {
+        let found = roots(&from_roots(&[1.0, 1.0 + 1e-6, 2.0, 3.0]), Range::LINE, Touching::Skip);
+        assert_eq!(found.len(), 4);
+        assert!((found[1] - found[0] - 1e-6).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_start_on_a_root_is_not_a_root() {
+        let c = from_roots(&[0.0, 1.0, 2.0, 5.0]);
+        let found = roots(&c, Range::FORWARD, Touching::Skip);
+        assert_eq!(found.len(), 3);
+        assert!(found[0] > 0.5);
+    }
+
+    #[test]
+    fn a_triple_root_is_a_crossing() {
+        let found = roots(&from_roots(&[0.5, 0.5, 0.5, 2.0]), Range::LINE, Touching::Skip);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!((found[0] - 0.5).abs() < 1e-4);
+    }
+
+    #[test]
+    fn tiny_leading_coefficients_do_no_harm() {
+        let found = roots(&[-6.0, 11.0, -6.0, 1.0, 1e-18], Range::new(0.0, 100.0), Touching::Skip);
+        assert_eq!(found.len(), 3);
+        assert!((found[2] - 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn degenerate_input_has_no_roots() {
+        assert!(roots(&[], Range::LINE, Touching::Once).is_empty());
+        assert!(roots(&[1.0], Range::LINE, Touching::Once).is_empty());
+        assert!(roots(&[0.0, 0.0, 0.0], Range::LINE, Touching::Once).is_empty());
+        assert!(roots(&[f64::NAN, 1.0], Range::LINE, Touching::Once).is_empty());
+    }
+}

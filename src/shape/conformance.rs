@@ -1,0 +1,253 @@
+//! What every shape promises, checked on every sibling: in its own space, and rotated, unequally scaled
+//! and moved. Parameters are neither 0 nor 1.
+
+use super::*;
+use crate::math::Transform;
+
+/// A shape with what can be asked of it.
+struct Subject {
+    shape: Arc<dyn Shape>,
+    /// Every crossing goes from inside to outside or back.
+    flips: bool,
+    /// The normal points from inside to outside.
+    outward: bool,
+    /// The normal is perpendicular to the surface, or nearly so.
+    across: bool,
+}
+
+fn solid(shape: impl Shape + 'static) -> Subject {
+    Subject { shape: Arc::new(shape), flips: true, outward: true, across: true }
+}
+
+fn surface(shape: impl Shape + 'static) -> Subject {
+    Subject { shape: Arc::new(shape), flips: false, outward: false, across: true }
+}
+
+fn subjects() -> Vec<Subject> {
+    let v = Vec3::new;
+    vec![
+        solid(Sphere::new(v(0.3, -0.7, 1.1), 1.7)),
+        solid(Cuboid::new(v(-0.4, 0.2, -1.3), v(1.9, 1.4, 0.6))),
+        solid(Plane::new(v(1.0, 2.0, -0.5), 0.7).unwrap()),
+        solid(Cylinder::new(v(0.2, -0.9, 0.1), v(0.7, 1.6, 0.4), 0.65, false).unwrap()),
+        surface(Cylinder::new(v(0.2, -0.9, 0.1), v(0.7, 1.6, 0.4), 0.65, true).unwrap()),
+        solid(Cone::new(v(0.2, -0.9, 0.1), 1.3, v(0.7, 1.6, 0.4), 0.35, false).unwrap()),
+        solid(Cone::new(v(0.2, -0.9, 0.1), 0.0, v(0.7, 1.6, 0.4), 0.85, false).unwrap()),
+        solid(Cone::new(v(0.2, -0.9, 0.1), 0.6, v(0.7, 1.6, 0.4), -0.45, false).unwrap()),
+        solid(Torus::new(1.4, 0.45)),
+        Subject { across: false, ..surface(Torus::new(0.5, 0.8)) },
+        surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),
+        surface(Triangle::new(v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)).unwrap()),
+        surface(
+            SmoothTriangle::new(
+                [v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)],
+                [v(-0.4, -0.2, -1.0), v(0.5, 0.1, -1.2), v(0.1, 0.6, -0.9)],
+            )
+            .unwrap(),
+        ),
+        surface(
+            Polygon::new(&[
+                v(-1.1, -0.9, 0.5),
+                v(1.4, -1.2, 0.5),
+                v(0.2, 0.1, 0.5),
+                v(0.9, 1.3, 0.5),
+                v(-0.8, 1.1, 0.5),
+                v(-1.1, -0.9, 0.5),
+            ])
+            .unwrap(),
+        ),
+    ]
+}
+
+fn placements() -> [Transform; 2] {
+    let moved = Transform::rotate(Vec3::new(17.0, 40.0, -63.0))
+        .then(&Transform::scale(Vec3::new(1.7, 0.4, 2.3)))
+        .then(&Transform::rotate(Vec3::new(-25.0, 110.0, 5.0)))
+        .then(&Transform::translate(Vec3::new(3.5, -2.25, 7.75)));
+    [Transform::IDENTITY, moved]
+}
+
+/// Marsaglia's xorshift; the same numbers in every run.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn in_box(&mut self, b: &Aabb) -> Vec3 {
+        b.min + b.size() * Vec3::new(self.unit(), self.unit(), self.unit())
+    }
+
+    fn direction(&mut self) -> Vec3 {
+        loop {
+            let v = self.in_box(&Aabb::new(Vec3::NEG_ONE, Vec3::ONE));
+            if v.length() > 0.1 && v.length() <= 1.0 {
+                return v.normalize();
+            }
+        }
+    }
+}
+
+/// The part of the shape's bounds that rays are aimed at.
+fn stage(shape: &dyn Shape) -> Aabb {
+    shape.bounds().intersection(Aabb::new(Vec3::splat(-4.0), Vec3::splat(4.0)))
+}
+
+fn rays(shape: &dyn Shape, random: &mut Random) -> Vec<Ray> {
+    let stage = stage(shape);
+    let size = stage.size().max_element();
+    (0..600)
+        .map(|i| {
+            let target = random.in_box(&stage);
+            let away = random.direction();
+            let distance = [0.0, 2.0, 5.0, 300.0][i % 4] * size;
+            Ray::new(target + distance * away, if distance > 0.0 { -away } else { away })
+        })
+        .collect()
+}
+
+/// Runs `check` on rays in the shape's own space that come from rays in the space outside.
+fn on_every_ray(mut check: impl FnMut(&Subject, &Ray, &mut Vec<Crossing>)) {
+    for subject in subjects() {
+        let shape = &*subject.shape;
+        let mut random = Random(0x9E37_79B9_7F4A_7C15);
+        for place in placements() {
+            for local in rays(shape, &mut random) {
+                let world = Ray::new(place.point(local.origin), place.vector(local.dir).normalize());
+                let (ray, _) = place.inverse_ray(&world);
+                let mut found = Vec::new();
+                shape.crossings(&ray, Range::FORWARD, &mut found);
+                found.sort_by(|a, b| a.t.total_cmp(&b.t));
+                check(&subject, &ray, &mut found);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_shape_is_hit() {
+    let mut hits = std::collections::BTreeMap::new();
+    on_every_ray(|s, _, found| *hits.entry(format!("{:?}", s.shape)).or_insert(0) += found.len());
+    for (shape, count) in hits {
+        assert!(count > 100, "{count} crossings of {shape}");
+    }
+}
+
+#[test]
+fn crossings_lie_in_range_and_bounds() {
+    on_every_ray(|s, ray, found| {
+        let bounds = s.shape.bounds();
+        for c in found {
+            assert!(c.t > 0.0 && c.t.is_finite());
+            let (p, error) = s.shape.locate(ray, c);
+            let size = 1.0 + p.abs().max_element() + c.t;
+            assert!(bounds.grown(error).contains(p), "{p} outside {bounds:?} of {:?}", s.shape);
+            assert!(error > 0.0 && error < 1e-10 * size, "{error} {:?}", s.shape);
+            assert!(p.distance(ray.at(c.t)) < 1e-6 * size, "{} {:?}", p.distance(ray.at(c.t)), s.shape);
+        }
+    });
+}
+
+#[test]
+fn a_range_cuts_the_crossings() {
+    on_every_ray(|s, ray, found| {
+        if found.len() < 2 || found[1].t - found[0].t < 1e-6 {
+            return;
+        }
+        let middle = 0.5 * (found[0].t + found[1].t);
+        let first = s.shape.nearest(ray, Range::new(middle, f64::INFINITY)).unwrap();
+        assert!((first.t - found[1].t).abs() < 1e-9 * (1.0 + first.t), "{:?}", s.shape);
+        let first = s.shape.nearest(ray, Range::new(0.0, middle)).unwrap();
+        assert!((first.t - found[0].t).abs() < 1e-9 * (1.0 + first.t), "{:?}", s.shape);
+    });
+}
+
+#[test]
+fn nearest_is_the_smallest_crossing() {
+    on_every_ray(|s, ray, found| {
+        let nearest = s.shape.nearest(ray, Range::FORWARD);
+        assert_eq!(nearest.map(|c| c.t), found.first().map(|c| c.t), "{:?}", s.shape);
+    });
+}
+
+#[test]
+fn crossings_flip_the_inside() {
+    on_every_ray(|s, ray, found| {
+        if !s.flips {
+            return;
+        }
+        let mut stops = vec![0.0];
+        stops.extend(found.iter().map(|c| c.t));
+        stops.push(stops[stops.len() - 1] + 1.0);
+        for w in stops.windows(3) {
+            if w[1] - w[0] < 1e-6 || w[2] - w[1] < 1e-6 {
+                continue;
+            }
+            let before = s.shape.contains(ray.at(0.5 * (w[0] + w[1])));
+            let after = s.shape.contains(ray.at(0.5 * (w[1] + w[2])));
+            assert!(before != after, "{ray:?} {stops:?} {:?}", s.shape);
+        }
+    });
+}
+
+#[test]
+fn normals_are_unit_vectors_and_point_outward() {
+    let (mut wrong, mut all) = (0, 0);
+    on_every_ray(|s, ray, found| {
+        for c in found {
+            let (p, _) = s.shape.locate(ray, c);
+            let n = s.shape.normal(p, c);
+            assert!((n.length() - 1.0).abs() < 1e-12, "{n} {:?}", s.shape);
+            if s.outward {
+                let h = 1e-6 * stage(&*s.shape).size().max_element();
+                all += 1;
+                wrong += usize::from(!s.shape.contains(p - h * n) || s.shape.contains(p + h * n));
+            }
+        }
+    });
+    // Within `h` of an edge the step along the normal may leave the solid on another side.
+    assert!(wrong * 1000 < all, "{wrong} of {all}");
+}
+
+#[test]
+fn a_ray_that_leaves_does_not_meet_its_own_start() {
+    let mut random = Random(77);
+    on_every_ray(|s, ray, found| {
+        for c in found.iter() {
+            let (p, error) = s.shape.locate(ray, c);
+            let n = s.shape.normal(p, c);
+            let d = random.direction();
+            let side = n.dot(d).signum();
+            let leaving = Ray::new(p + side * error * n, d);
+            if !s.across || n.dot(d).abs() < 1e-3 {
+                continue;
+            }
+            let next = s.shape.nearest(&leaving, Range::FORWARD);
+            assert!(next.is_none_or(|x| x.t > 1e-7), "{next:?} {leaving:?} {:?}", s.shape);
+        }
+    });
+}
+
+#[test]
+fn moving_the_start_along_the_ray_changes_nothing_else() {
+    on_every_ray(|s, ray, found| {
+        let Some(first) = found.first() else { return };
+        let back = 1.75 * stage(&*s.shape).size().max_element();
+        let moved = Ray::new(ray.at(-back), ray.dir);
+        let range = Range::new(back, f64::INFINITY);
+        let mut again = Vec::new();
+        s.shape.crossings(&moved, range, &mut again);
+        if found.windows(2).any(|w| w[1].t - w[0].t < 1e-5) || first.t < 1e-5 {
+            return;
+        }
+        again.sort_by(|a, b| a.t.total_cmp(&b.t));
+        assert_eq!(again.len(), found.len(), "{:?}", s.shape);
+        for (a, f) in again.iter().zip(found.iter()) {
+            assert!((a.t - back - f.t).abs() < 1e-8 * (1.0 + f.t), "{a:?} {f:?} {:?}", s.shape);
+        }
+    });
+}

@@ -1,0 +1,103 @@
+//! Plane: `normal · p = distance`; the solid is the half space that the normal points away from.
+//!
+//! | parameter | unit | meaning |
+//! |---|---|---|
+//! | normal | – | made unit length |
+//! | distance | length | along the unit normal |
+//!
+//! Numerical care: a ray counts as parallel only when rounding alone could have tilted it. The half space
+//! is closed, and so is the one that `inverse` gives.
+
+use super::{COINCIDENT, Crossing, Shape, rounding};
+use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
+use std::sync::Arc;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    normal: Vec3,
+    distance: f64,
+}
+
+/// Rays whose direction is perpendicular to a normal up to this many roundings run along the surface.
+const PARALLEL: f64 = 4.0 * EPSILON;
+
+/// Distance at which a ray meets the plane through `point`.
+pub(super) fn meet(ray: &Ray, normal: Vec3, point: Vec3) -> Option<f64> {
+    let speed = normal.dot(ray.dir);
+    (speed.abs() > PARALLEL).then(|| normal.dot(point - ray.origin) / speed)
+}
+
+impl Plane {
+    /// `None` if `normal` has no direction.
+    pub fn new(normal: Vec3, distance: f64) -> Option<Self> {
+        Some(Self { normal: normal.try_normalize()?, distance })
+    }
+
+    fn height(&self, p: Vec3) -> f64 {
+        self.normal.dot(p) - self.distance
+    }
+
+    fn scale(&self, p: Vec3) -> f64 {
+        self.normal.abs().dot(p.abs()) + self.distance.abs()
+    }
+}
+
+impl Shape for Plane {
+    fn bounds(&self) -> Aabb {
+        Aabb::INFINITE
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        out.extend(self.nearest(ray, range));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let speed = self.normal.dot(ray.dir);
+        let t = -self.height(ray.origin) / speed;
+        (speed.abs() > PARALLEL && range.contains(t)).then(|| Crossing::new(t))
+    }
+
+    fn contains(&self, p: Vec3) -> bool {
+        self.height(p) <= COINCIDENT * self.scale(p)
+    }
+
+    fn inverse(&self) -> Option<Arc<dyn Shape>> {
+        Some(Arc::new(Plane { normal: -self.normal, distance: -self.distance }))
+    }
+
+    fn normal(&self, _p: Vec3, _crossing: &Crossing) -> Vec3 {
+        self.normal
+    }
+
+    fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
+        let p = ray.at(crossing.t);
+        (p - self.height(p) * self.normal, rounding(self.scale(p)))
+    }
+
+    fn kind(&self) -> &'static str {
+        "plane"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_hit_from_both_sides_and_far_away() {
+        let p = Plane::new(Vec3::new(0.0, 2.0, 0.0), 0.5).unwrap();
+        let ray = Ray::new(Vec3::new(0.0, 1.0, 0.0), Vec3::new(1.0, -1e-9, 0.0).normalize());
+        assert!((p.nearest(&ray, Range::FORWARD).unwrap().t - 5e8).abs() < 1.0);
+        let below = Ray::new(Vec3::ZERO, Vec3::Y);
+        assert_eq!(p.nearest(&below, Range::FORWARD).unwrap().t, 0.5);
+        assert!(p.nearest(&Ray::new(Vec3::ZERO, Vec3::X), Range::FORWARD).is_none());
+    }
+
+    #[test]
+    fn both_half_spaces_contain_the_plane() {
+        let p = Plane::new(Vec3::new(1.0, 2.0, 3.0), 0.5).unwrap();
+        let on = 0.5 * Vec3::new(1.0, 2.0, 3.0).normalize();
+        assert!(p.contains(on) && p.inverse().unwrap().contains(on));
+        assert!(!p.contains(2.0 * on) && p.inverse().unwrap().contains(2.0 * on));
+    }
+}

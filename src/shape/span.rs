@@ -1,0 +1,56 @@
+//! Intervals of a line inside simple convex regions, and the crossings at their ends.
+
+use super::Crossing;
+use crate::math::{EPSILON, Range};
+
+/// An interval of ray parameters with the part of the surface at each end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Span {
+    pub enter: (f64, u32),
+    pub leave: (f64, u32),
+}
+
+impl Span {
+    pub fn new(enter: f64, leave: f64, part: u32) -> Self {
+        Self { enter: (enter, part), leave: (leave, part) }
+    }
+
+    /// The whole line.
+    pub fn line(part: u32) -> Self {
+        Self::new(f64::NEG_INFINITY, f64::INFINITY, part)
+    }
+
+    /// What lies in both. At equal ends `other`'s part shows.
+    pub fn intersection(self, other: Span) -> Self {
+        let before = |a: f64, b: f64| a < b - tie(a, b);
+        let enter = if before(other.enter.0, self.enter.0) { self.enter } else { other.enter };
+        let leave = if before(self.leave.0, other.leave.0) { self.leave } else { other.leave };
+        Self { enter, leave }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        !(self.enter.0 <= self.leave.0)
+    }
+
+    /// Both ends in order as crossings inside `range`, unless `skip` names their part.
+    pub fn ends(self, range: Range, skip: Option<u32>) -> impl Iterator<Item = Crossing> {
+        [self.enter, self.leave]
+            .into_iter()
+            .filter(move |&(t, part)| range.contains(t) && Some(part) != skip)
+            .map(|(t, part)| Crossing::on_part(t, part))
+    }
+}
+
+/// Distances nearer to each other than this meet on an edge.
+pub(super) fn tie(a: f64, b: f64) -> f64 {
+    if a.is_finite() && b.is_finite() { 8.0 * EPSILON * a.abs().max(b.abs()) } else { 0.0 }
+}
+
+/// Where a coordinate that starts at `origin` and changes by `speed` lies in `min..=max`.
+pub(super) fn slab(origin: f64, speed: f64, min: f64, max: f64) -> Option<(f64, f64)> {
+    if speed == 0.0 {
+        return (origin >= min && origin <= max).then_some((f64::NEG_INFINITY, f64::INFINITY));
+    }
+    let (a, b) = ((min - origin) / speed, (max - origin) / speed);
+    Some(if speed > 0.0 { (a, b) } else { (b, a) })
+}
