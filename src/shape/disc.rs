@@ -33,6 +33,10 @@ impl Shape for Disc {
         Aabb { min: self.center - reach, max: self.center + reach }
     }
 
+    fn inside_bounds(&self) -> Aabb {
+        Aabb::INFINITE
+    }
+
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         out.extend(self.nearest(ray, range));
     }

@@ -74,6 +74,11 @@ pub trait Shape: Debug + Send + Sync {
     /// A box around the whole surface; sides may be infinite.
     fn bounds(&self) -> Aabb;
 
+    /// A box around the inside, where that reaches beyond the surface.
+    fn inside_bounds(&self) -> Aabb {
+        self.bounds()
+    }
+
     /// Appends every crossing inside `range`, in the order that the specification gives for exact ties
     /// (the one appended last wins).
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>);
@@ -102,6 +107,12 @@ pub trait Shape: Debug + Send + Sync {
     /// The unit normal at a crossing, outward where the specification does not say otherwise; not turned
     /// towards the ray.
     fn normal(&self, p: Vec3, crossing: &Crossing) -> Vec3;
+
+    /// The unit normal of the surface itself, where [`Shape::normal`] is interpolated or has a convention of
+    /// its own. Tells on which side of the surface a ray leaves.
+    fn face_normal(&self, _p: Vec3, _crossing: &Crossing) -> Option<Vec3> {
+        None
+    }
 
     /// The crossing's point, moved onto the surface where that is cheap, and a bound on its distance from
     /// the true surface in object units.

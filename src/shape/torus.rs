@@ -103,6 +103,10 @@ impl Shape for Torus {
         (p - near).normalize_or(Vec3::Y)
     }
 
+    fn face_normal(&self, p: Vec3, _crossing: &Crossing) -> Option<Vec3> {
+        (self.minor > self.major.abs()).then(|| (p - self.core(p)).normalize_or(Vec3::Y))
+    }
+
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
         let p = ray.at(crossing.t);
         let core = self.core(p);

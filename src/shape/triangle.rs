@@ -166,6 +166,10 @@ impl Shape for SmoothTriangle {
         ((1.0 - uv.x - uv.y) * a + uv.x * b + uv.y * c).normalize_or(self.face.normal)
     }
 
+    fn face_normal(&self, _p: Vec3, _crossing: &Crossing) -> Option<Vec3> {
+        Some(self.face.normal)
+    }
+
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
         self.face.locate(ray, crossing)
     }

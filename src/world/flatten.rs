@@ -54,6 +54,8 @@ struct Inherited {
     cutaway: u32,
     group_lights: (u32, u32),
     ignores_global_lights: bool,
+    /// Crossings of others survive where this contains them, so bounds are of the inside.
+    in_intersection: bool,
     /// Inside a light group: its lights have been gathered already.
     in_group: bool,
 }
@@ -71,6 +73,7 @@ impl Inherited {
             cutaway: NONE,
             group_lights: (0, 0),
             ignores_global_lights: false,
+            in_intersection: false,
             in_group: false,
         }
     }
@@ -193,9 +196,18 @@ impl Flattened {
         };
         let shading = self.shading(shading);
         let inverted = inner.inverted && shape.is_solid();
-        let bounds = if inverted { Aabb::INFINITE } else { to_world.bounds(&shape.bounds()) };
+        let replacement = if inverted { shape.inverse() } else { None };
+        let inverted = inverted && replacement.is_none();
+        let shape = replacement.unwrap_or_else(|| shape.clone());
+        let bounds = if inverted {
+            Aabb::INFINITE
+        } else if outer.in_intersection {
+            to_world.bounds(&shape.inside_bounds())
+        } else {
+            to_world.bounds(&shape.bounds())
+        };
         self.geometry.leaves.push(Leaf {
-            shape: shape.clone(),
+            shape,
             transform: (!to_world.is_identity()).then(|| Box::new(to_world)),
             surface,
             interior_surface,
@@ -216,6 +228,7 @@ impl Flattened {
         outer: &Inherited,
     ) -> (Solid, Aabb) {
         let mut inner = self.inherit(object, outer);
+        inner.in_intersection |= effective(op, inner.inverted) == Op::Intersection;
         let slot = self.reserve();
         if object.flags.cutaway_textures && inner.textures.is_none() {
             inner.cutaway = slot;
@@ -381,7 +394,7 @@ fn splits(object: &Object, outer: &Inherited) -> bool {
 
 /// Clip and bound objects stand where the object stands, and inherit nothing else.
 fn region(outer: &Inherited) -> Inherited {
-    Inherited { to_world: outer.to_world, in_group: true, ..Inherited::top() }
+    Inherited { to_world: outer.to_world, in_group: true, in_intersection: true, ..Inherited::top() }
 }
 
 /// A difference is an intersection with inverted subtrahends; inversion exchanges union and intersection.

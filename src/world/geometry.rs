@@ -256,21 +256,26 @@ impl Geometry {
         let Some(t) = &leaf.transform else {
             let (point, error) = leaf.shape.locate(ray, &found.crossing);
             let normal = sign * leaf.shape.normal(point, &found.crossing);
-            return Located { point, error, local: point, normal };
+            let face = leaf.shape.face_normal(point, &found.crossing).map_or(normal, |f| sign * f);
+            return Located { point, error, local: point, normal, face };
         };
         let (local_ray, _) = t.inverse_ray(ray);
         let (local, local_error) = leaf.shape.locate(&local_ray, &found.crossing);
         let point = t.point(local);
         let raw = leaf.shape.normal(local, &found.crossing);
         let normal = (sign * t.normal(raw)).normalize_or(raw);
-        // Errors as far as they lie along the normal: the shape's own and the rounding of the way back to
+        // Errors as far as they lie along the surface's normal: the shape's own and the rounding of the way back to
         // object space, seen through the transform, and the rounding of the world point.
-        let inward = t.forward.matrix3.transpose() * normal;
+        let face = match leaf.shape.face_normal(local, &found.crossing) {
+            Some(f) => (sign * t.normal(f)).normalize_or(f),
+            None => normal,
+        };
+        let inward = t.forward.matrix3.transpose() * face;
         let back = rounding(&t.inverse, point);
         let error = inward.length() * local_error
             + inward.abs().dot(back)
-            + normal.abs().dot(rounding(&t.forward, local));
-        Located { point, error, local, normal }
+            + face.abs().dot(rounding(&t.forward, local));
+        Located { point, error, local, normal, face }
     }
 }
 
@@ -280,6 +285,7 @@ pub(super) struct Located {
     pub error: f64,
     pub local: Vec3,
     pub normal: Vec3,
+    pub face: Vec3,
 }
 
 /// Bound on the rounding of `m * p`, per component.

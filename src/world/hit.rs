@@ -11,13 +11,15 @@ pub struct Hit {
     /// The point in world space.
     pub point: Vec3,
     /// Bound on the distance between `point` and the true surface, in world units. A ray that leaves the
-    /// surface starts this far along the normal, on the side that it goes to.
+    /// surface starts this far along `face`, on the side that it goes to.
     pub error: f64,
     /// The point in the object's own space.
     pub local: Vec3,
     pub crossing: Crossing,
     /// Unit normal in world space; outward, turned inward for inverted objects; not turned to the ray.
     pub normal: Vec3,
+    /// The surface's own unit normal, where `normal` is interpolated; else the same as `normal`.
+    pub face: Vec3,
     /// The leaf object that was hit.
     pub item: u32,
     pub interior: InteriorId,

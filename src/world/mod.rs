@@ -98,6 +98,7 @@ impl World {
             local: located.local,
             crossing: found.crossing,
             normal: located.normal,
+            face: located.face,
             item: found.leaf,
             interior: leaf.interior,
             ignores_global_lights: shading.ignores_global_lights,
