@@ -35,3 +35,9 @@ impl ObjectQuery {
         self.bounds
     }
 }
+
+impl crate::math::field::Solid for ObjectQuery {
+    fn contains(&self, p: Vec3) -> bool {
+        ObjectQuery::contains(self, p)
+    }
+}

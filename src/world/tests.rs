@@ -1,1 +1,186 @@
+//! Laws of combinations, and what hits promise.
 
+use super::ObjectQuery;
+use super::flatten::Flattened;
+use super::hit::RayClass;
+use crate::math::{Range, Ray, Transform, Vec3};
+use crate::scene::{Body, CsgOp, Object};
+use crate::shape::{Cuboid, Plane, Shape, Sphere};
+use proptest::prelude::*;
+use std::sync::Arc;
+
+fn vector(size: f64) -> impl Strategy<Value = Vec3> {
+    (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+}
+
+fn shape(s: impl Shape + 'static) -> Object {
+    Object::new(Body::Shape(Arc::new(s)))
+}
+
+fn csg(op: CsgOp, children: &[&Object]) -> Object {
+    let children = children.iter().map(|&c| Arc::new(c.clone())).collect();
+    Object::new(Body::Csg { op, children: Arc::new(children) })
+}
+
+fn inverse(object: &Object) -> Object {
+    let mut o = object.clone();
+    o.flags.inverse = !o.flags.inverse;
+    o
+}
+
+/// A sphere or a box, turned and stretched.
+fn solid() -> impl Strategy<Value = Object> {
+    (any::<bool>(), vector(1.0), 0.2..1.5f64, vector(180.0), 0.3..2.0f64).prop_map(
+        |(round, c, r, turn, k)| {
+            let mut o = if round { shape(Sphere::new(c, r)) } else { shape(Cuboid::new(c - r, c + 0.7 * r)) };
+            o.apply(&Transform::scale(Vec3::new(1.0, k, 1.0)).then(&Transform::rotate(turn)));
+            o
+        },
+    )
+}
+
+fn ray() -> impl Strategy<Value = Ray> {
+    (vector(5.0), vector(1.0))
+        .prop_filter("a direction", |(_, d)| d.length() > 0.1)
+        .prop_map(|(o, target)| Ray::new(o, (target - o).normalize()))
+}
+
+/// Distances of the nearest hit agree.
+fn same_hit(a: &Object, b: &Object, ray: &Ray) -> bool {
+    let t = |o: &Object| ObjectQuery::new(o).trace(ray).map(|(p, _)| p.distance(ray.origin));
+    match (t(a), t(b)) {
+        (None, None) => true,
+        (Some(x), Some(y)) => (x - y).abs() < 1e-9,
+        _ => false,
+    }
+}
+
+proptest! {
+    #[test]
+    fn containment_follows_the_logic(a in solid(), b in solid(), p in vector(3.0)) {
+        let inside = |o: &Object| ObjectQuery::new(o).contains(p);
+        let (x, y) = (inside(&a), inside(&b));
+        prop_assert_eq!(inside(&csg(CsgOp::Union, &[&a, &b])), x || y);
+        prop_assert_eq!(inside(&csg(CsgOp::Merge, &[&a, &b])), x || y);
+        prop_assert_eq!(inside(&csg(CsgOp::Intersection, &[&a, &b])), x && y);
+        prop_assert_eq!(inside(&csg(CsgOp::Difference, &[&a, &b])), x && !y);
+        prop_assert_eq!(inside(&inverse(&a)), !x);
+    }
+
+    #[test]
+    fn a_difference_is_an_intersection_with_the_inverse(a in solid(), b in solid(), r in ray()) {
+        let d = csg(CsgOp::Difference, &[&a, &b]);
+        let i = csg(CsgOp::Intersection, &[&a, &inverse(&b)]);
+        prop_assert!(same_hit(&d, &i, &r));
+    }
+
+    #[test]
+    fn de_morgan_holds_for_rays(a in solid(), b in solid(), r in ray()) {
+        let left = inverse(&csg(CsgOp::Intersection, &[&a, &b]));
+        let right = csg(CsgOp::Merge, &[&inverse(&a), &inverse(&b)]);
+        prop_assert!(same_hit(&left, &right, &r));
+    }
+
+    #[test]
+    fn union_and_merge_look_alike_from_outside(a in solid(), b in solid(), r in ray()) {
+        let (u, m) = (csg(CsgOp::Union, &[&a, &b]), csg(CsgOp::Merge, &[&a, &b]));
+        prop_assume!(!ObjectQuery::new(&u).contains(r.origin));
+        prop_assert!(same_hit(&u, &m, &r));
+    }
+
+    #[test]
+    fn crossings_of_a_solid_separate_inside_from_outside(a in solid(), b in solid(), c in solid(), r in ray()) {
+        let o = csg(CsgOp::Difference, &[&csg(CsgOp::Merge, &[&a, &b]), &c]);
+        let query = ObjectQuery::new(&o);
+        let mut inside = query.contains(r.origin);
+        let mut from = r;
+        for _ in 0..20 {
+            let Some((p, n)) = query.trace(&from) else { break };
+            let leaving = n.dot(r.dir) > 0.0;
+            prop_assert_eq!(leaving, inside);
+            inside = !inside;
+            from.origin = p + 1e-9 * r.dir;
+        }
+        prop_assert!(!inside);
+    }
+
+    #[test]
+    fn clipping_is_the_part_of_the_surface_inside(a in solid(), b in solid(), r in ray()) {
+        let mut clipped = a.clone();
+        clipped.clipped_by.push(Arc::new(b.clone()));
+        if let Some((p, _)) = ObjectQuery::new(&clipped).trace(&r) {
+            let mut grown = b.clone();
+            grown.apply(&Transform::IDENTITY);
+            prop_assert!(ObjectQuery::new(&grown).contains(p - 1e-9 * r.dir) || ObjectQuery::new(&grown).contains(p + 1e-9 * r.dir));
+        }
+    }
+
+    #[test]
+    fn a_ray_that_leaves_a_hit_by_its_error_does_not_meet_it_again(
+        a in solid(), shift in vector(1.0), e in -6.0..7.0f64, r in ray(), to in vector(1.0)
+    ) {
+        // The whole scene moved far away, or the object made tiny.
+        let mut o = a;
+        let place = Transform::translate(shift * 10f64.powf(e.max(0.0)));
+        let scale = 10f64.powf(e.min(0.0));
+        o.apply(&Transform::scale(Vec3::splat(scale)).then(&place));
+        let flat = Flattened::new(&[Arc::new(o)]);
+        let r = Ray::new(place.point(r.origin * scale), r.dir);
+        let Some(found) = flat.geometry.nearest(&r, Range::FORWARD, RayClass::Image) else { return Ok(()) };
+        let hit = flat.geometry.locate(&r, &found);
+        let outward = if hit.normal.dot(r.dir) < 0.0 { hit.normal } else { return Ok(()) };
+        let dir = to.normalize_or(outward);
+        prop_assume!(dir.dot(outward) > 1e-3);
+        let origin = hit.point + 2.0 * hit.error * outward;
+        // Both solids are convex: outside, a ray away from the surface meets it no more.
+        let again = flat.geometry.nearest(&Ray::new(origin, dir), Range::FORWARD, RayClass::Image);
+        prop_assert!(again.is_none(), "again at {:?}, error {}", again, hit.error);
+        prop_assert!(hit.error <= 1e-9 * (scale + place.forward.translation.length()));
+    }
+}
+
+#[test]
+fn a_shared_face_of_a_merge_vanishes_and_an_outer_one_stays() {
+    let left = shape(Cuboid::new(Vec3::ZERO, Vec3::ONE));
+    let right = shape(Cuboid::new(Vec3::new(1.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 1.0)));
+    let query = ObjectQuery::new(&csg(CsgOp::Merge, &[&left, &right]));
+    let (p, _) = query.trace(&Ray::new(Vec3::new(0.5, 0.5, 0.5), Vec3::X)).expect("the far side");
+    assert_eq!(p.x, 2.0);
+    // Two boxes with a common front: it is the surface of both.
+    let twin = shape(Cuboid::new(Vec3::new(0.5, 0.0, 0.0), Vec3::new(1.5, 1.0, 2.0)));
+    let query = ObjectQuery::new(&csg(CsgOp::Merge, &[&left, &twin]));
+    let (p, n) = query.trace(&Ray::new(Vec3::new(0.7, 0.5, -1.0), Vec3::Z)).expect("the front");
+    assert_eq!((p.z, n), (0.0, -Vec3::Z));
+}
+
+#[test]
+fn of_coincident_faces_the_later_child_shows() {
+    let a = shape(Cuboid::new(Vec3::ZERO, Vec3::ONE));
+    let b = shape(Cuboid::new(Vec3::new(0.25, 0.25, 0.0), Vec3::new(0.75, 0.75, 0.5)));
+    let query = ObjectQuery::new(&csg(CsgOp::Difference, &[&a, &b]));
+    let (p, n) = query.trace(&Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)).expect("the skin");
+    assert_eq!((p.z, n), (0.0, Vec3::Z));
+}
+
+#[test]
+fn a_union_falls_apart_and_flags_reach_its_children() {
+    let mut union =
+        csg(CsgOp::Union, &[&shape(Sphere::new(Vec3::ZERO, 1.0)), &shape(Sphere::new(Vec3::X, 1.0))]);
+    union.flags.no_shadow = true;
+    let plane = shape(Plane::new(Vec3::Y, -1.0).expect("a plane"));
+    let flat = Flattened::new(&[Arc::new(union), Arc::new(plane)]);
+    assert_eq!((flat.geometry.finite.len(), flat.geometry.infinite.len()), (2, 1));
+    let down = Ray::new(Vec3::new(0.0, 5.0, 0.0), -Vec3::Y);
+    assert_eq!(flat.geometry.nearest(&down, Range::FORWARD, RayClass::Image).map(|f| f.t), Some(4.0));
+    assert_eq!(flat.geometry.nearest(&down, Range::FORWARD, RayClass::Shadow).map(|f| f.t), Some(6.0));
+}
+
+#[test]
+fn of_coincident_objects_the_first_in_the_scene_shows() {
+    let ball = |x: f64| shape(Sphere::new(Vec3::new(x, 0.0, 0.0), 1.0));
+    let objects: Vec<Arc<Object>> =
+        [9.0, 0.0, 0.0, 5.0, -7.0, 0.0].into_iter().map(|x| Arc::new(ball(x))).collect();
+    let flat = Flattened::new(&objects);
+    let ray = Ray::new(Vec3::new(0.3, 0.2, -5.0), Vec3::Z);
+    assert_eq!(flat.geometry.nearest(&ray, Range::FORWARD, RayClass::Image).map(|f| f.leaf), Some(1));
+}
