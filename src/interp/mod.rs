@@ -3,6 +3,7 @@
 //! Three layers: the token stream (files, directives, macros, loops), expressions and symbols, and the
 //! grammar of scene statements, which pulls tokens and never sees a directive.
 
+pub mod embedded;
 mod grammar;
 mod parser;
 mod value;

@@ -1,0 +1,58 @@
+//! Standard include files that Glint carries with it, for when none are installed.
+//!
+//! Names, values and meanings are those of the reference manual; the text is ours. Files of design (textures,
+//! woods, stones, metals, golds, glass, skies, stars) are not here: they come with POV-Ray's own package.
+
+/// The text of the embedded include file of that name, compared as the file system would (case matters).
+pub fn lookup(name: &str) -> Option<&'static str> {
+    FILES.binary_search_by_key(&name, |&(known, _)| known).ok().map(|at| FILES[at].1)
+}
+
+/// Names of all embedded files, in alphabetical order.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|&(name, _)| name)
+}
+
+/// Sorted by name.
+const FILES: &[(&str, &str)] = &[
+    ("arrays.inc", include_str!("arrays.inc")),
+    ("colors.inc", include_str!("colors.inc")),
+    ("consts.inc", include_str!("consts.inc")),
+    ("finish.inc", include_str!("finish.inc")),
+    ("functions.inc", include_str!("functions.inc")),
+    ("math.inc", include_str!("math.inc")),
+    ("rand.inc", include_str!("rand.inc")),
+    ("shapes_old.inc", include_str!("shapes_old.inc")),
+    ("strings.inc", include_str!("strings.inc")),
+    ("transforms.inc", include_str!("transforms.inc")),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_sorted_and_found() {
+        assert!(FILES.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        for name in names() {
+            assert!(lookup(name).is_some_and(|text| text.contains("Part of Glint")), "{name}");
+        }
+    }
+
+    #[test]
+    fn design_files_are_not_carried() {
+        for name in ["textures.inc", "woods.inc", "stones.inc", "metals.inc", "golds.inc", "glass.inc", "skies.inc"] {
+            assert!(lookup(name).is_none(), "{name}");
+        }
+        assert!(lookup("Colors.inc").is_none(), "case matters");
+    }
+
+    /// A file that sets the language version must put back what it found.
+    #[test]
+    fn the_version_is_restored() {
+        for (name, text) in FILES {
+            let set = text.lines().filter(|line| line.starts_with("#version")).count();
+            assert_eq!(set, 2, "{name}");
+        }
+    }
+}
