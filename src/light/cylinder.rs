@@ -10,7 +10,7 @@
 //! | tightness | exponent | 0 |
 
 use super::spot::smooth_step;
-use crate::math::Vec3;
+use crate::math::{Ray, Vec3};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderBeam {
@@ -44,6 +44,25 @@ impl CylinderBeam {
             tight
         }
     }
+
+    /// The stretch of `ray` inside the falloff cylinder; `None` if it misses it.
+    pub fn section(&self, ray: &Ray, lamp: Vec3, axis: Vec3) -> Option<(f64, f64)> {
+        let v = ray.origin - lamp;
+        let across = |w: Vec3| w - w.dot(axis) * axis;
+        let (v, d) = (across(v), across(ray.dir));
+        let (qa, qb) = (d.length_squared(), v.dot(d));
+        let qc = v.length_squared() - self.falloff * self.falloff;
+        if qa == 0.0 {
+            return (qc < 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
+        }
+        let discriminant = qb * qb - qa * qc;
+        if discriminant <= 0.0 {
+            return None;
+        }
+        let q = -(qb + discriminant.sqrt().copysign(qb));
+        let (r1, r2) = (q / qa, qc / q);
+        Some((r1.min(r2), r1.max(r2)))
+    }
 }
 
 #[cfg(test)]
@@ -57,6 +76,17 @@ mod tests {
         assert_eq!(beam.factor(Vec3::new(1.5, 0.0, 5.0), Vec3::Z), 0.5);
         assert_eq!(beam.factor(Vec3::new(0.0, 2.0, 5.0), Vec3::Z), 0.0);
         assert_eq!(beam.factor(Vec3::new(0.0, 0.0, -5.0), Vec3::Z), 0.0);
+    }
+
+    #[test]
+    fn section_ends_lie_on_the_cylinder() {
+        let beam = CylinderBeam { radius: 1.0, falloff: 2.0, tightness: 0.0 };
+        let ray = Ray::new(Vec3::new(-9.0, 1.0, 4.0), Vec3::new(0.96, 0.0, 0.28));
+        let (a, b) = beam.section(&ray, Vec3::ZERO, Vec3::Z).unwrap();
+        for s in [a, b] {
+            assert!((ray.at(s).truncate().length() - 2.0).abs() < 1e-12);
+        }
+        assert_eq!(beam.section(&ray, 4.0 * Vec3::Y, Vec3::Z), None);
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub use cylinder::CylinderBeam;
 pub use spot::SpotBeam;
 
 use crate::color::Rgb;
-use crate::math::{Transform, Vec3};
+use crate::math::{Ray, Transform, Vec3};
 
 /// A light as the author described it; directions are unit vectors, angles in radians.
 #[derive(Clone, Debug)]
@@ -54,7 +54,9 @@ pub struct Arrival {
     pub direction: Vec3,
     /// How far blockers count. Negative behind a parallel light's plane.
     pub distance: f64,
-    /// The light's colour after cone and distance fading.
+    /// What cone and distance leave of the light.
+    pub strength: f32,
+    /// The light's colour times `strength`.
     pub color: Rgb,
 }
 
@@ -98,13 +100,13 @@ impl Light {
         if cone <= 0.0 {
             return None;
         }
-        let factor = cone * fade::factor(distance, self.fade_distance, self.fade_power);
-        let color = self.color * factor as f32;
-        (!is_dark(color)).then_some(Arrival { direction, distance, color })
+        let strength = (cone * fade::factor(distance, self.fade_distance, self.fade_power)) as f32;
+        let color = self.color * strength;
+        (!is_dark(color)).then_some(Arrival { direction, distance, strength, color })
     }
 
-    /// Direction to the lamp and distance.
-    fn towards(&self, p: Vec3, offset: Vec3) -> (Vec3, f64) {
+    /// Unit vector to the lamp and distance, for a lamp moved by `offset` from the location.
+    pub fn towards(&self, p: Vec3, offset: Vec3) -> (Vec3, f64) {
         let lamp = self.location + offset;
         let to_lamp = lamp - p;
         if self.parallel {
@@ -117,6 +119,15 @@ impl Light {
         }
         let distance = to_lamp.length();
         (to_lamp / distance, distance)
+    }
+
+    /// The stretch of `ray` that the light's beam may light, unclipped.
+    pub fn section(&self, ray: &Ray) -> Option<(f64, f64)> {
+        match &self.kind {
+            LightKind::Point => Some((f64::NEG_INFINITY, f64::INFINITY)),
+            LightKind::Spot(beam) => beam.section(ray, self.location, self.axis()),
+            LightKind::Cylinder(beam) => beam.section(ray, self.location, self.axis()),
+        }
     }
 
     /// The light moved by `t`.

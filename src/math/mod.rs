@@ -2,6 +2,7 @@
 
 mod aabb;
 pub mod bvh;
+pub mod chi_square;
 pub mod field;
 pub mod jitter;
 pub mod noise;

@@ -14,6 +14,7 @@ pub use crate::color::Gamma;
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::material::{Attached, Media, Pigment};
+use crate::math::noise::Turbulence;
 use crate::math::{Transform, Vec3};
 use std::sync::Arc;
 
@@ -58,16 +59,9 @@ pub struct Fog {
     pub offset: f64,
     pub altitude: f64,
     pub up: Vec3,
-    pub turbulence: Option<FogTurbulence>,
-}
-
-#[derive(Clone, Debug)]
-pub struct FogTurbulence {
-    pub amount: Vec3,
-    pub depth: f64,
-    pub octaves: u32,
-    pub omega: f64,
-    pub lambda: f64,
+    /// Shakes the distance; off while its amount is zero.
+    pub turbulence: Turbulence,
+    pub turbulence_depth: f64,
 }
 
 /// Angles in radians.

@@ -1,5 +1,22 @@
 //! A prepared world and a place on the picture to a colour: recursive ray tracing.
 
+mod area;
+mod direct;
+mod fog;
+mod highlight;
+mod iridescence;
+mod layers;
+mod media;
+mod media_sampling;
+mod path;
+mod rainbow;
+mod random;
+mod reflect;
+mod refract;
+mod shade;
+mod shadow;
+mod sky;
+mod spectrum;
 mod tracer;
 
 pub use tracer::Tracer;

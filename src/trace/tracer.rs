@@ -1,35 +1,227 @@
-use super::{Counters, Pixel, Settings};
-use crate::world::World;
+use super::media::Medium;
+use super::path::{Interiors, Path, Radiance, Veil};
+use super::random::Random;
+use super::shade::Onward;
+use super::sky::{self, Leaving};
+use super::{Counters, Pixel, Settings, rainbow};
+use crate::color::Rgb;
+use crate::math::{Range, Ray};
+use crate::pattern::Context;
+use crate::world::{Hit, InteriorId, RayClass, World};
+
+/// Stands for the length of a ray that meets nothing.
+const FAR: f64 = 2e10;
+
+/// Surfaces that one ray passes straight through before it is given up.
+const MAX_PASSED: u32 = 1 << 16;
 
 /// Follows rays through one world; one per thread.
 pub struct Tracer<'w> {
-    world: &'w World,
-    settings: Settings,
-    counters: Counters,
-    /// Pixel and sample that random draws belong to.
-    place: (u32, u32, u32),
+    pub(super) world: &'w World,
+    pub(super) settings: Settings,
+    pub(super) counters: Counters,
+    pub(super) random: Random,
+    pub(super) needs: Needs,
+    pub(super) adc_bailout: f32,
+    max_level: u32,
+    /// Rules since version 3.7.
+    pub(super) modern: bool,
+    pub(super) context: Context<'static>,
+    /// What the camera stands in, once found; for cameras with one viewpoint.
+    camera_inside: Option<Interiors>,
+    /// Every medium, those of one interior side by side; last those of the atmosphere.
+    pub(super) media: Vec<Medium<'w>>,
+    /// Media of each interior, as ranges of `media`.
+    pub(super) media_of: Vec<(u32, u32)>,
+    pub(super) air: (u32, u32),
+    /// Light that reaches the hits being shaded, shared by their layers: a stack.
+    pub(super) lit: Vec<Option<Rgb>>,
+    /// Lamps of the area light being sampled.
+    pub(super) lamps: Vec<Rgb>,
+}
+
+/// Which steps the scene needs at all.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Needs {
+    /// Some interior bends, fades or fills, or hollowness matters: rays keep their lists of interiors.
+    pub interiors: bool,
+    /// Fog, rainbows or atmospheric media.
+    pub atmosphere: bool,
+    /// Some interior has media.
+    pub media: bool,
+    pub caustics: bool,
+}
+
+impl Needs {
+    fn new(world: &World, quality: u8) -> Self {
+        let scene = &world.scene;
+        let mut needs = Needs {
+            interiors: false,
+            atmosphere: quality >= 9
+                && !(scene.fogs.is_empty() && scene.rainbows.is_empty() && scene.media.is_empty()),
+            media: false,
+            caustics: false,
+        };
+        for (_, i) in world.interiors() {
+            needs.interiors |= i.ior != 1.0 || i.dispersion != 1.0 || i.fade_distance != 0.0;
+            needs.media |= quality >= 9 && !i.media.is_empty();
+            needs.caustics |= i.caustics != 0.0;
+        }
+        needs.interiors |= needs.atmosphere || needs.media;
+        needs
+    }
 }
 
 impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, settings: &Settings) -> Self {
-        Self { world, settings: settings.clone(), counters: Counters::default(), place: (0, 0, 0) }
+        let globals = &world.scene.globals;
+        let mut tracer = Self {
+            world,
+            settings: settings.clone(),
+            counters: Counters::default(),
+            random: Random::new(0, 0, 0),
+            needs: Needs::new(world, settings.quality),
+            adc_bailout: globals.adc_bailout,
+            max_level: settings.max_trace_level.unwrap_or(globals.max_trace_level).clamp(1, 256),
+            modern: globals.effective_version >= 370,
+            context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
+            camera_inside: None,
+            media: Vec::new(),
+            media_of: Vec::new(),
+            air: (0, 0),
+            lit: Vec::new(),
+            lamps: Vec::new(),
+        };
+        if tracer.needs.media || tracer.needs.atmosphere {
+            tracer.list_media();
+        }
+        tracer
+    }
+
+    fn list_media(&mut self) {
+        for (id, interior) in self.world.interiors() {
+            let first = self.media.len() as u32;
+            let place = self.world.interior_to_world(id);
+            self.media.extend(interior.media.iter().map(|m| Medium::new(m, place)));
+            self.media_of.push((first, self.media.len() as u32));
+        }
+        let first = self.media.len() as u32;
+        self.media.extend(self.world.scene.media.iter().map(|a| Medium::new(&a.value, &a.transform)));
+        self.air = (first, self.media.len() as u32);
     }
 
     /// Called before each pixel or sample: all random draws until the next call depend on it alone.
     pub fn seed(&mut self, x: u32, y: u32, sample: u32) {
-        self.place = (x, y, sample);
+        self.random = Random::new(x, y, sample);
     }
 
     /// The colour seen through picture position (x, y): pixel (i, j) has its centre at (i+0.5, j+0.5), y
     /// runs down.
-    pub fn pixel(&mut self, _x: f64, _y: f64) -> Pixel {
+    pub fn pixel(&mut self, x: f64, y: f64) -> Pixel {
+        let size = (f64::from(self.settings.width), f64::from(self.settings.height));
+        match self.world.scene.camera.ray(x, y, size, &self.context) {
+            Some(ray) => {
+                let seen = self.camera_ray(ray);
+                Pixel { rgb: seen.rgb, transmit: seen.transmit }
+            }
+            None => Pixel { rgb: Rgb::ZERO, transmit: 1.0 },
+        }
+    }
+
+    fn camera_ray(&mut self, ray: Ray) -> Radiance {
         self.counters.camera_rays += 1;
-        let _ = (&self.settings, self.place);
-        let _ = self.world;
-        Pixel { rgb: Default::default(), transmit: 1.0 }
+        let inside = self.camera_interiors(&ray);
+        let path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
+        self.trace(ray, path)
+    }
+
+    fn camera_interiors(&mut self, ray: &Ray) -> Interiors {
+        if !self.needs.interiors {
+            return Interiors::new();
+        }
+        if !self.world.scene.camera.has_fixed_origin() {
+            return self.world.interiors_at(ray.origin);
+        }
+        self.camera_inside.get_or_insert_with(|| self.world.interiors_at(ray.origin)).clone()
     }
 
     pub fn counters(&self) -> Counters {
         self.counters
+    }
+
+    /// The colour that `ray` brings back. Surfaces that are passed without bending are followed in a loop:
+    /// they cost no level.
+    pub(super) fn trace(&mut self, mut ray: Ray, mut path: Path) -> Radiance {
+        let mut front = Veil::NONE;
+        for passed in 0..MAX_PASSED {
+            if path.level >= self.max_level || path.weight < self.adc_bailout {
+                return front.over(Radiance::BLACK);
+            }
+            if passed == 0 {
+                path.level += 1;
+            }
+            let Some(hit) = self.world.nearest(&ray, Range::FORWARD, path.class) else {
+                return front.over(self.leave(&ray, &path));
+            };
+            let shaded = self.shade(&ray, &hit, &path);
+            if self.needs.interiors {
+                front = self.segment_veil(&ray, &hit, &path).under(front);
+            }
+            let Some(onward) = shaded.onward else { return front.over(shaded.light) };
+            let behind = Veil { factor: onward.factor, added: shaded.light.rgb, clear: onward.clear };
+            front = behind.under(front);
+            Onward { ray, weight: path.weight, inside: path.inside, .. } = onward;
+        }
+        front.over(Radiance::BLACK)
+    }
+
+    /// The sky behind the air.
+    fn leave(&mut self, ray: &Ray, path: &Path) -> Radiance {
+        let leaving = Leaving {
+            shows_alpha: self.settings.alpha && path.class == RayClass::Image,
+            alpha: self.settings.alpha,
+            modern: self.modern,
+        };
+        let scene = &self.world.scene;
+        let sky = sky::sky(scene.background, scene.sky_sphere.as_ref(), ray.dir, leaving, &self.context);
+        if self.needs.atmosphere && self.is_hollow(&path.inside) {
+            self.atmosphere(ray, FAR, None, path).over(sky)
+        } else {
+            sky
+        }
+    }
+
+    /// Interior media, then rainbows, atmospheric media and fog, between the ray's origin and its hit.
+    fn segment_veil(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Veil {
+        if !(self.needs.media || self.needs.atmosphere) || !self.is_hollow(&path.inside) {
+            return Veil::NONE;
+        }
+        let mut veil = Veil::NONE;
+        if self.needs.media && !path.inside.is_empty() {
+            veil = self.interior_media(ray, hit, path);
+        }
+        if self.needs.atmosphere {
+            veil = veil.under(self.atmosphere(ray, hit.t, Some(hit), path));
+        }
+        veil
+    }
+
+    fn atmosphere(&mut self, ray: &Ray, length: f64, hit: Option<&Hit>, path: &Path) -> Veil {
+        let scene = &self.world.scene;
+        let mut veil = Veil::NONE;
+        if !scene.rainbows.is_empty() {
+            veil = rainbow::veil(&scene.rainbows, ray, length, &mut self.random);
+        }
+        if self.air.0 < self.air.1 {
+            veil = veil.under(self.air_media(ray, length, hit, path));
+        }
+        if !scene.fogs.is_empty() {
+            veil = veil.under(super::fog::veil(&scene.fogs, ray, length, self.context.noise));
+        }
+        veil
+    }
+
+    pub(super) fn is_hollow(&self, inside: &[InteriorId]) -> bool {
+        inside.iter().all(|&i| self.world.is_hollow(i))
     }
 }

@@ -134,6 +134,11 @@ impl World {
         &self.interiors[id.0 as usize].interior
     }
 
+    /// Every interior with its number.
+    pub fn interiors(&self) -> impl Iterator<Item = (InteriorId, &Interior)> {
+        self.interiors.iter().enumerate().map(|(i, inside)| (InteriorId(i as u32), &*inside.interior))
+    }
+
     /// Where the interior's own space (that of its densities) stands in the world.
     pub fn interior_to_world(&self, id: InteriorId) -> &Transform {
         &self.interiors[id.0 as usize].transform

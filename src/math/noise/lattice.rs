@@ -42,6 +42,12 @@ fn hash(i: u32) -> u32 {
     u32::from(HASH[(i & 4095) as usize])
 }
 
+/// The hash of a whole number, 0 ..= 4095.
+#[inline]
+pub fn hash1(a: i64) -> usize {
+    hash(a as u32) as usize
+}
+
 /// The hash of a pair of whole numbers, 0 ..= 4095.
 #[inline]
 pub fn hash2(a: i64, b: i64) -> usize {

@@ -10,7 +10,7 @@ mod gradient;
 mod lattice;
 mod turbulence;
 
-pub use lattice::{hash2, hash3, vector_noise};
+pub use lattice::{hash1, hash2, hash3, vector_noise};
 pub use turbulence::Turbulence;
 
 use super::Vec3;

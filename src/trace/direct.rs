@@ -1,0 +1,158 @@
+//! Light that comes to a surface straight from lights: diffuse reflection and highlights.
+
+use super::shade::Site;
+use super::tracer::Tracer;
+use super::{highlight, iridescence};
+use crate::color::Rgb;
+use crate::light::is_dark;
+use crate::material::Finish;
+use crate::math::Vec3;
+use crate::world::{RayClass, WorldLight};
+
+/// Cosines below this count as unlit.
+const LIT: f64 = 1e-10;
+
+/// One layer as light sees it.
+pub(super) struct Look<'a> {
+    pub finish: &'a Finish,
+    /// The pigment.
+    pub color: Rgb,
+    pub opacity: f32,
+    /// Unit shading normal towards the viewer.
+    pub normal: Vec3,
+}
+
+impl Look<'_> {
+    /// `Some(true)` if light from `l` falls on the back and shines through, `Some(false)` on the front;
+    /// `None` if it does not count.
+    fn is_lit_from_behind(&self, l: Vec3, both_sides: bool) -> Option<bool> {
+        if both_sides || self.normal.dot(l) >= LIT {
+            Some(false)
+        } else {
+            (self.finish.diffuse_back != 0.0).then_some(true)
+        }
+    }
+}
+
+impl Tracer<'_> {
+    /// The sum over all lights of a layer.
+    pub(super) fn direct(&mut self, site: &Site, look: &Look) -> Rgb {
+        let f = look.finish;
+        if f.diffuse == 0.0 && f.diffuse_back == 0.0 && f.specular == 0.0 && f.phong == 0.0 {
+            return Rgb::ZERO;
+        }
+        let world = self.world;
+        let mut sum = Rgb::ZERO;
+        if !site.hit.ignores_global_lights {
+            for (i, light) in world.lights.iter().enumerate() {
+                sum += self.from_light(site, look, light, site.lit.map(|base| base + i));
+            }
+        }
+        let (first, end) = site.hit.group_lights;
+        for light in &world.group_lights[first as usize..end as usize] {
+            sum += self.from_light(site, look, light, None);
+        }
+        sum
+    }
+
+    /// `kept` is the place of the light's shadowed colour among those of this hit.
+    fn from_light(&mut self, site: &Site, look: &Look, source: &WorldLight, kept: Option<usize>) -> Rgb {
+        let point = site.hit.point;
+        let light = &source.light;
+        let lamps = light.area.as_ref().filter(|a| a.illumination && self.uses_area(site.path.class));
+        if lamps.is_some() {
+            return self.from_lamps(site, look, source);
+        }
+        let Some(arrival) = light.arrival(point, Vec3::ZERO) else { return Rgb::ZERO };
+        let Some(behind) = look.is_lit_from_behind(arrival.direction, site.hit.double_illuminate) else {
+            return Rgb::ZERO;
+        };
+        let color = match kept.and_then(|k| self.lit[k]) {
+            Some(color) => color,
+            None => {
+                let inside = &site.path.inside;
+                let color = self.shadowed(&site.departure, inside, source, &arrival, site.path.class);
+                if let Some(k) = kept {
+                    self.lit[k] = Some(color);
+                }
+                color
+            }
+        };
+        if is_dark(color) {
+            return Rgb::ZERO;
+        }
+        self.answer(site, look, arrival.direction, color, behind, light.shadowless)
+    }
+
+    /// Every lamp of an area light with its own direction; the shadow is that of the whole.
+    fn from_lamps(&mut self, site: &Site, look: &Look, source: &WorldLight) -> Rgb {
+        let (light, point) = (&source.light, site.hit.point);
+        let Some(area) = &light.area else { return Rgb::ZERO };
+        let (direction, distance) = light.towards(point, Vec3::ZERO);
+        let whole = crate::light::Arrival { direction, distance, strength: 1.0, color: light.color };
+        let inside = &site.path.inside;
+        let shadowed = self.shadowed(&site.departure, inside, source, &whole, site.path.class);
+        if is_dark(shadowed) {
+            return Rgb::ZERO;
+        }
+        let share = 1.0 / (area.size1 * area.size2) as f32;
+        let axes = area.axes(direction);
+        let mut sum = Rgb::ZERO;
+        for v in 0..area.size2 {
+            for u in 0..area.size1 {
+                let (u, v) = self.lamp_place(area.jitter, u, v);
+                let Some(lamp) = light.arrival(point, area.offset(axes, u, v)) else { continue };
+                let both = site.hit.double_illuminate;
+                let Some(behind) = look.is_lit_from_behind(lamp.direction, both) else { continue };
+                let color = shadowed * (lamp.strength * share);
+                sum += self.answer(site, look, lamp.direction, color, behind, light.shadowless);
+            }
+        }
+        sum
+    }
+
+    /// What the layer sends to the viewer of light `color` from direction `l`.
+    fn answer(
+        &mut self,
+        site: &Site,
+        look: &Look,
+        l: Vec3,
+        color: Rgb,
+        behind: bool,
+        shadowless: bool,
+    ) -> Rgb {
+        let f = look.finish;
+        let c = look.normal.dot(l);
+        let mut sum = Rgb::ZERO;
+        let diffuse = if behind { f.diffuse_back } else { f.diffuse };
+        if diffuse > 0.0 {
+            let cosine = c.abs() as f32;
+            let falloff = if f.brilliance == 1.0 { cosine } else { cosine.powf(f.brilliance) };
+            let mut share = falloff * diffuse * look.opacity;
+            if f.crand != 0.0 {
+                share -= f.crand * self.random.draw() as f32;
+            }
+            sum += look.color * color * share;
+        }
+        let v = site.ray.dir;
+        let shines = f.phong > 0.0 || f.specular > 0.0;
+        if shines && !shadowless && !behind && site.path.class != RayClass::Radiosity {
+            let strength = highlight::strength(f, v, look.normal, l);
+            if strength > 0.0 {
+                let tint = if f.metallic == 0.0 {
+                    Rgb::ONE
+                } else {
+                    highlight::metallic_tint(f.metallic, c, look.color)
+                };
+                sum += strength * color * tint;
+            }
+        }
+        if f.irid > 0.0 {
+            let film = iridescence::film(f, site.hit.point, self.context.noise);
+            let cosines = c.abs() + look.normal.dot(v).abs();
+            let wavelength = self.world.scene.globals.irid_wavelength;
+            sum *= iridescence::factor(f.irid, film, cosines, wavelength);
+        }
+        sum
+    }
+}

@@ -1,0 +1,82 @@
+//! A surface's texture at a hit, taken apart into stacks of plain layers.
+
+use crate::color::Color;
+use crate::material::{Layer, Texture};
+use crate::math::{Transform, Vec3};
+use crate::pattern::{Context, Incidence};
+use crate::world::{Hit, Surface};
+use smallvec::SmallVec;
+
+/// A layer where it lies at the hit.
+#[derive(Clone, Copy)]
+pub(super) struct Placed<'w, 'a> {
+    pub layer: &'w Layer,
+    /// The hit in the layer's space.
+    point: Vec3,
+    to_world: Option<&'w Transform>,
+    frames: &'a [Transform],
+}
+
+impl Placed<'_, '_> {
+    /// The unit shading normal, for the unit normal `facing` towards the viewer.
+    pub fn normal(&self, facing: Vec3, context: &Context) -> Vec3 {
+        let Some(normal) = &self.layer.normal else { return facing };
+        let mut n = self.to_world.map_or(facing, |t| t.inverse_normal(facing).normalize());
+        for frame in self.frames {
+            n = frame.inverse_normal(n).normalize();
+        }
+        n = normal.perturb(n, self.point, context);
+        for frame in self.frames.iter().rev() {
+            n = frame.normal(n).normalize();
+        }
+        self.to_world.map_or(n, |t| t.normal(n).normalize())
+    }
+
+    /// The pigment; `None` outside of an image that is used once.
+    pub fn color(&self, context: &Context) -> Option<Color> {
+        self.layer.pigment.color(self.point, context)
+    }
+}
+
+/// Calls `visit` with each stack that shows at the hit, top layer first, and its share.
+pub(super) fn stacks<'w, 'i>(
+    surface: &'w Surface,
+    hit: &Hit,
+    context: &Context,
+    incidence: impl Fn() -> &'i Incidence,
+    mut visit: impl FnMut(f32, &[Placed<'w, '_>]),
+) {
+    let place = |to_local: &Option<Box<Transform>>| {
+        if hit.uv_mapping {
+            incidence().uv.extend(0.0)
+        } else {
+            to_local.as_ref().map_or(hit.local, |t| t.inverse_point(hit.local))
+        }
+    };
+    let frame = |to_world: &'w Option<Box<Transform>>| {
+        if hit.uv_mapping { None } else { to_world.as_deref() }
+    };
+    let mut stack: SmallVec<[Placed<'w, '_>; 2]> = SmallVec::new();
+    for l in surface.layers.iter().rev() {
+        let (point, to_world) = (place(&l.texture_to_local), frame(&l.texture_to_world));
+        match &*l.texture {
+            Texture::Layers(layers) => {
+                stack.extend(layers.iter().rev().map(|layer| Placed { layer, point, to_world, frames: &[] }));
+            }
+            // Nothing can be layered with a patterned texture.
+            Texture::Patterned(_) => {
+                let mut samples = SmallVec::new();
+                l.texture.samples(point, &Context { hit: Some(incidence()), ..*context }, &mut samples);
+                for s in &samples {
+                    let layers = s.layers.iter().rev();
+                    let stack: SmallVec<[Placed; 2]> = layers
+                        .map(|layer| Placed { layer, point: s.point, to_world, frames: &s.frames })
+                        .collect();
+                    visit(s.weight, &stack);
+                }
+                return;
+            }
+        }
+    }
+    visit(1.0, &stack);
+}

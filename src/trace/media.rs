@@ -1,0 +1,277 @@
+//! Participating media over a stretch of a ray: absorption, emission, and light scattered towards the eye.
+//!
+//! The stretch is cut into intervals, lit and unlit ones; in each the medium is sampled ([`sampling`]);
+//! front to back, what an interval sends is dimmed by the optical depth before it.
+
+use super::media_sampling::{self as sampling, Plan};
+use super::path::{Departure, Path, Veil};
+use super::tracer::Tracer;
+use crate::color::{Rgb, grey};
+use crate::light::is_dark;
+use crate::material::Media;
+use crate::math::{Ray, Transform, Vec3, chi_square};
+use crate::world::{Hit, RayClass, WorldLight};
+use glam::DAffine3;
+use smallvec::SmallVec;
+
+/// A medium where it stands.
+#[derive(Debug)]
+pub(super) struct Medium<'w> {
+    pub media: &'w Media,
+    world_to_medium: DAffine3,
+    /// The density if it is the same everywhere.
+    uniform: Option<Rgb>,
+    /// Variances below which an interval has samples enough, by number of samples less 1.
+    pub thresholds: Vec<f32>,
+}
+
+impl<'w> Medium<'w> {
+    pub fn new(media: &'w Media, place: &Transform) -> Self {
+        let plain = |d: &std::sync::Arc<crate::material::Pigment>| d.plain().map(|c| c.rgb);
+        Self {
+            media,
+            world_to_medium: media.transform.then(place).inverse,
+            uniform: media.densities.iter().map(plain).product(),
+            thresholds: thresholds(media),
+        }
+    }
+
+    fn extinction(&self) -> Rgb {
+        self.media.absorption + self.media.extinction * self.media.scattering
+    }
+}
+
+fn thresholds(media: &Media) -> Vec<f32> {
+    let (min, max) = media.samples;
+    if max <= min || media.method == 3 {
+        return Vec::new();
+    }
+    let confidence = f64::from(media.confidence);
+    let last = chi_square::quantile(max - 1, confidence);
+    let unit = if last == 0.0 { 1e-10 } else { 1.0 / last };
+    (1..=max)
+        .map(|n| (f64::from(media.variance) * unit * chi_square::quantile(n, confidence)) as f32)
+        .collect()
+}
+
+/// A light whose beam crosses the stretch.
+pub(super) struct Beam<'w> {
+    source: &'w WorldLight,
+    from: f64,
+    to: f64,
+}
+
+/// The stretch being looked through.
+pub(super) struct Stretch<'a, 'w> {
+    ray: &'a Ray,
+    pub length: f64,
+    /// Places in `Tracer::media`.
+    pub media: SmallVec<[u32; 4]>,
+    /// `None` for shadow rays, which ask for the dimming alone.
+    path: Option<&'a Path>,
+    pub beams: SmallVec<[Beam<'w>; 4]>,
+}
+
+impl Stretch<'_, '_> {
+    pub fn is_shadow(&self) -> bool {
+        self.path.is_none()
+    }
+
+    /// The lit parts, sorted and merged.
+    pub fn lit_parts(&self) -> SmallVec<[(f64, f64); 4]> {
+        let mut parts: SmallVec<[(f64, f64); 4]> = self.beams.iter().map(|b| (b.from, b.to)).collect();
+        parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut merged: SmallVec<[(f64, f64); 4]> = SmallVec::new();
+        for part in parts {
+            match merged.last_mut() {
+                Some(last) if part.0 <= last.1 => last.1 = last.1.max(part.1),
+                _ => merged.push(part),
+            }
+        }
+        merged
+    }
+}
+
+/// What a medium does at one point, per unit length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Local {
+    /// Light sent to the eye.
+    pub glow: Rgb,
+    pub extinction: Rgb,
+}
+
+impl<'w> Tracer<'w> {
+    /// Media of the interiors that the ray is inside of, up to its hit.
+    pub(super) fn interior_media(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Veil {
+        let ranges: SmallVec<[(u32, u32); 4]> =
+            path.inside.iter().map(|i| self.media_of[i.0 as usize]).collect();
+        self.media_veil(ray, hit.t, Some(hit), path, &ranges)
+    }
+
+    /// Media of the atmosphere.
+    pub(super) fn air_media(&mut self, ray: &Ray, length: f64, hit: Option<&Hit>, path: &Path) -> Veil {
+        self.media_veil(ray, length, hit, path, &[self.air])
+    }
+
+    fn media_veil(
+        &mut self,
+        ray: &Ray,
+        length: f64,
+        hit: Option<&Hit>,
+        path: &Path,
+        ranges: &[(u32, u32)],
+    ) -> Veil {
+        let media: SmallVec<[u32; 4]> = ranges.iter().flat_map(|r| r.0..r.1).collect();
+        if media.is_empty() {
+            return Veil::NONE;
+        }
+        let beams = self.beams(ray, length, hit);
+        let stretch = Stretch { ray, length, media, path: Some(path), beams };
+        let plan = self.plan_of(&stretch);
+        let (glow, depth) = sampling::sampled(self, &stretch, &plan);
+        let factor = exp(-depth);
+        Veil { factor, added: glow, clear: grey(factor) }
+    }
+
+    /// What media leave of light over the first `length` of a shadow ray.
+    pub(super) fn media_shadow(&mut self, ray: &Ray, length: f64, ranges: &[(u32, u32)]) -> Rgb {
+        let all = ranges.iter().flat_map(|r| r.0..r.1);
+        let media: SmallVec<[u32; 4]> =
+            all.filter(|&m| self.media[m as usize].extinction() != Rgb::ZERO).collect();
+        if media.is_empty() {
+            return Rgb::ONE;
+        }
+        let uniform = |m: &u32| {
+            let medium = &self.media[*m as usize];
+            medium.uniform.map(|d| d * medium.extinction())
+        };
+        if let Some(extinction) = media.iter().map(uniform).sum::<Option<Rgb>>() {
+            return exp(-extinction * length as f32);
+        }
+        let stretch = Stretch { ray, length, media, path: None, beams: SmallVec::new() };
+        let plan = self.plan_of(&stretch);
+        exp(-sampling::sampled(self, &stretch, &plan).1)
+    }
+
+    /// Settings of the medium with most intervals.
+    fn plan_of(&self, stretch: &Stretch) -> Plan {
+        let all = || stretch.media.iter().map(|&m| &self.media[m as usize]);
+        let mut first = stretch.media[0];
+        for &m in &stretch.media {
+            if self.media[m as usize].media.intervals > self.media[first as usize].media.intervals {
+                first = m;
+            }
+        }
+        let threshold = all().map(|m| m.media.aa_threshold).fold(f32::INFINITY, f32::min);
+        Plan::new(first, &self.media[first as usize], threshold)
+    }
+
+    /// The lights that light the stretch: those that light the object at its end.
+    fn beams(&self, ray: &Ray, length: f64, hit: Option<&Hit>) -> SmallVec<[Beam<'w>; 4]> {
+        let world = self.world;
+        let global = if hit.is_some_and(|h| h.ignores_global_lights) { &[][..] } else { &world.lights[..] };
+        let (first, end) = hit.map_or((0, 0), |h| h.group_lights);
+        let group = &world.group_lights[first as usize..end as usize];
+        let beam = |source: &'w WorldLight| {
+            let light = &source.light;
+            if !light.media_interaction || light.shadowless {
+                return None;
+            }
+            let (from, to) = light.section(ray)?;
+            let (from, to) = (from.max(0.0), to.min(length));
+            (from < to).then_some(Beam { source, from, to })
+        };
+        global.iter().chain(group).filter_map(beam).collect()
+    }
+
+    /// The medium at distance `s` along the stretch.
+    pub(super) fn local(&mut self, stretch: &Stretch, s: f64, lit: bool) -> Local {
+        let p = stretch.ray.at(s);
+        let mut local = Local { glow: Rgb::ZERO, extinction: Rgb::ZERO };
+        let mut scattering = Rgb::ZERO;
+        for &m in &stretch.media {
+            let density = self.density(m, p);
+            let medium = &self.media[m as usize];
+            local.glow += medium.media.emission * density;
+            local.extinction += medium.extinction() * density;
+            scattering += medium.media.scattering * density;
+        }
+        if lit && scattering != Rgb::ZERO {
+            local.glow += scattering * self.scattered(stretch, p, s);
+        }
+        local
+    }
+
+    fn density(&self, m: u32, p: Vec3) -> Rgb {
+        let medium = &self.media[m as usize];
+        if let Some(uniform) = medium.uniform {
+            return uniform;
+        }
+        let p = medium.world_to_medium.transform_point3(p);
+        let at = |d: &std::sync::Arc<crate::material::Pigment>| {
+            d.color(p, &self.context).map_or(Rgb::ZERO, |c| c.rgb)
+        };
+        medium.media.densities.iter().map(at).product()
+    }
+
+    /// Light that arrives at `p` and is scattered to the eye, for scattering 1.
+    fn scattered(&mut self, stretch: &Stretch, p: Vec3, s: f64) -> Rgb {
+        let Some(path) = stretch.path else { return Rgb::ZERO };
+        let mut sum = Rgb::ZERO;
+        for beam in stretch.beams.iter().filter(|b| b.from < s && s < b.to) {
+            let Some(arrival) = beam.source.light.arrival(p, Vec3::ZERO) else { continue };
+            let color =
+                self.shadowed(&Departure::free(p), &path.inside, beam.source, &arrival, RayClass::Image);
+            if !is_dark(color) {
+                sum += self.phase(stretch, arrival.direction.dot(stretch.ray.dir)) * color;
+            }
+        }
+        sum
+    }
+
+    /// The mean phase factor of the media; `cosine` is 1 when looking towards the light.
+    fn phase(&self, stretch: &Stretch, cosine: f64) -> f32 {
+        let all = stretch.media.iter().map(|&m| phase(self.media[m as usize].media, cosine));
+        (all.sum::<f64>() / stretch.media.len() as f64) as f32
+    }
+}
+
+/// How strongly light is scattered by an angle with the given cosine, against the mean.
+///
+/// References: T. Nishita et al., "A Shading Model for Atmospheric Scattering", 1987 (hazy, murky); Lord
+/// Rayleigh 1871; L. Henyey, J. Greenstein, "Diffuse Radiation in the Galaxy", 1941.
+fn phase(media: &Media, cosine: f64) -> f64 {
+    let half = 0.5 * (1.0 + cosine);
+    match media.scattering_type {
+        2 => 0.576655375 * (1.0 + 9.0 * half.powi(8)),
+        3 => 0.495714547 * (1.0 + 50.0 * half.powi(32)),
+        4 => 0.799372013 * (1.0 + cosine * cosine),
+        5 => {
+            let g = f64::from(media.eccentricity);
+            (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+        }
+        _ => 1.0,
+    }
+}
+
+pub(super) fn exp(c: Rgb) -> Rgb {
+    Rgb::new(c.x.exp(), c.y.exp(), c.z.exp())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Henyey-Greenstein and Rayleigh scattering conserve light: their mean over the sphere is 1.
+    #[test]
+    fn henyey_greenstein_has_mean_one() {
+        let mut media = crate::trace::media_sampling::tests::medium();
+        media.scattering_type = 5;
+        media.eccentricity = 0.6;
+        let n = 100_000;
+        let mean =
+            (0..n).map(|i| phase(&media, 2.0 * (f64::from(i) + 0.5) / f64::from(n) - 1.0)).sum::<f64>()
+                / f64::from(n);
+        assert!((mean - 1.0).abs() < 1e-6, "{mean}");
+    }
+}

@@ -1,0 +1,363 @@
+//! The colour of a surface where a ray meets it: layers from top to bottom, then what passes through them,
+//! then what each layer reflects.
+
+use super::direct::Look;
+use super::layers::{self, Placed};
+use super::path::{Departure, Interiors, Path, Radiance};
+use super::refract::{self, Passage};
+use super::tracer::Tracer;
+use super::{iridescence, reflect};
+use crate::color::{Color, Rgb, grey};
+use crate::material::{Finish, Texture};
+use crate::math::{Ray, Vec3};
+use crate::pattern::{Context, Incidence};
+use crate::world::{Hit, RayClass, Surface, World};
+use smallvec::SmallVec;
+use std::cell::OnceCell;
+
+/// Normals whose components differ by less count as one.
+const SAME_NORMAL: f64 = 1e-10;
+
+/// A surface's colour so far, and the way on if the ray passes it straight.
+pub(super) struct Shaded {
+    pub light: Radiance,
+    pub onward: Option<Onward>,
+}
+
+/// The same ray behind a surface that it passed without bending.
+pub(super) struct Onward {
+    pub ray: Ray,
+    /// What reaches the front of the surface of light from behind.
+    pub factor: Rgb,
+    pub clear: f32,
+    pub weight: f32,
+    pub inside: Interiors,
+}
+
+/// The place being shaded.
+pub(super) struct Site<'a> {
+    pub ray: &'a Ray,
+    pub hit: &'a Hit,
+    pub path: &'a Path,
+    /// Unit geometric normal towards the viewer.
+    pub facing: Vec3,
+    pub departure: Departure,
+    /// Where this hit's shadowed light colours are kept, if several layers ask for them.
+    pub lit: Option<usize>,
+    incidence: OnceCell<Incidence>,
+}
+
+/// What the layers leave to be traced.
+struct Plan<'w> {
+    rgb: Rgb,
+    through: SmallVec<[Through; 1]>,
+    bounces: SmallVec<[Bounce<'w>; 2]>,
+}
+
+/// Light passing through one stack of layers.
+struct Through {
+    /// Share of the stack in the hit's colour.
+    share: f32,
+    filter: Rgb,
+    clear: f32,
+    weight: f32,
+    /// Normal of the top layer.
+    normal: Vec3,
+    all_reflected: bool,
+}
+
+/// Reflection by one layer.
+struct Bounce<'w> {
+    share: f32,
+    k: Rgb,
+    weight: f32,
+    normal: Vec3,
+    finish: &'w Finish,
+    /// The stack's place in `Plan::through`, if anything passes it.
+    through: Option<usize>,
+}
+
+impl<'a> Site<'a> {
+    pub fn new(ray: &'a Ray, hit: &'a Hit, path: &'a Path) -> Self {
+        let facing = if hit.normal.dot(ray.dir) > 0.0 { -hit.normal } else { hit.normal };
+        let departure = Departure::from_hit(hit);
+        Self { ray, hit, path, facing, departure, lit: None, incidence: OnceCell::new() }
+    }
+
+    /// Whether the side is seen that the normal points away from.
+    pub fn is_back(&self) -> bool {
+        self.hit.normal.dot(self.ray.dir) > 0.0
+    }
+
+    pub fn incidence(&self, world: &World) -> &Incidence {
+        self.incidence.get_or_init(|| Incidence {
+            point: self.hit.point,
+            normal: self.facing,
+            direction: self.ray.dir,
+            uv: world.uv(self.hit),
+        })
+    }
+}
+
+impl<'w> Tracer<'w> {
+    pub(super) fn shade(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
+        let mut site = Site::new(ray, hit, path);
+        let mut plan = self.plan(&mut site);
+        let mut light = Radiance { rgb: plan.rgb, transmit: 0.0 };
+        let mut onward = None;
+        if !plan.through.is_empty() {
+            onward = self.pass(&site, &mut plan.through, &mut light);
+        }
+        for bounce in &plan.bounces {
+            let stack = bounce.through.map(|i| &plan.through[i]);
+            if stack.is_some_and(|s| s.all_reflected && s.normal.abs_diff_eq(bounce.normal, SAME_NORMAL)) {
+                continue;
+            }
+            light.rgb += bounce.share * self.bounce(&site, bounce);
+        }
+        Shaded { light, onward }
+    }
+
+    /// All light that needs no further rays of colour, and which such rays there are.
+    #[inline(never)]
+    fn plan(&mut self, site: &mut Site) -> Plan<'w> {
+        let mut surfaces = SmallVec::new();
+        self.world.surfaces(site.hit, site.is_back(), &mut surfaces);
+        let base = self.lit.len();
+        if has_several_layers(&surfaces) {
+            site.lit = Some(base);
+            self.lit.resize(base + self.world.lights.len(), None);
+        }
+        let site = &*site;
+        let mut plan = Plan { rgb: Rgb::ZERO, through: SmallVec::new(), bounces: SmallVec::new() };
+        let (world, context) = (self.world, self.context);
+        for &(share, surface) in &surfaces {
+            if surfaces.len() == 1 || share >= self.adc_bailout {
+                let incidence = || site.incidence(world);
+                layers::stacks(surface, site.hit, &context, incidence, |part, stack| {
+                    self.stack(site, share * part, stack, &mut plan);
+                });
+            }
+        }
+        self.lit.truncate(base);
+        plan
+    }
+
+    /// One stack of layers, top first.
+    fn stack(&mut self, site: &Site, share: f32, layers: &[Placed<'w, '_>], plan: &mut Plan<'w>) {
+        let first_bounce = plan.bounces.len();
+        let (mut filter, mut clear, mut found, mut refraction) = (Rgb::ONE, 1.0f32, false, 1.0);
+        let (mut top, mut last) = (None, site.facing);
+        for placed in layers {
+            if clear <= self.adc_bailout {
+                break;
+            }
+            let normal = self.normal(site, placed, last);
+            let color = self.pigment(site, placed, normal);
+            (top, last) = (top.or(Some(normal)), normal);
+            let finish: &'w Finish = &placed.layer.finish;
+            refraction = finish.refraction;
+            if self.settings.quality <= 1 {
+                plan.rgb += share * color.unwrap_or_default().rgb;
+                return;
+            }
+            let c = color.unwrap_or(NOT_FOUND);
+            let k = self.reflectivity(site, finish, normal, c.rgb);
+            if k != Rgb::ZERO {
+                let weight = site.path.weight * clear * declared_maximum(finish, k);
+                plan.bounces.push(Bounce { share, k, weight, normal, finish, through: None });
+            }
+            let opacity = self.opacity(c);
+            let look = Look { finish, color: c.rgb, opacity, normal };
+            plan.rgb += share * filter * self.own_light(site, &look);
+            if color.is_some() {
+                found = true;
+                filter *= c.transmittance();
+                if finish.conserve_energy {
+                    filter *= (Rgb::ONE - k).min(Rgb::ONE);
+                }
+            }
+            clear = grey(filter).abs().min(1.0);
+        }
+        if clear > self.adc_bailout && self.settings.quality >= 6 {
+            let bounces = plan.bounces[first_bounce..].iter_mut();
+            bounces.for_each(|b| b.through = Some(plan.through.len()));
+            plan.through.push(Through {
+                share,
+                filter: refraction * if found { filter } else { Rgb::ONE },
+                clear: refraction * clear,
+                weight: site.path.weight * filter.abs().max_element(),
+                normal: top.unwrap_or(site.facing),
+                all_reflected: false,
+            });
+        }
+    }
+
+    /// The layer's shading normal; `last` is that of the layer above.
+    fn normal(&self, site: &Site, placed: &Placed, last: Vec3) -> Vec3 {
+        if placed.layer.normal.is_none() || self.settings.quality < 8 {
+            return site.facing;
+        }
+        let incidence = Incidence { normal: last, ..*site.incidence(self.world) };
+        placed.normal(site.facing, &Context { hit: Some(&incidence), ..self.context })
+    }
+
+    fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {
+        if let Some(plain) = placed.layer.pigment.plain() {
+            return Some(plain);
+        }
+        let incidence = Incidence { normal, ..*site.incidence(self.world) };
+        placed.color(&Context { hit: Some(&incidence), ..self.context })
+    }
+
+    fn reflectivity(&self, site: &Site, finish: &Finish, normal: Vec3, color: Rgb) -> Rgb {
+        if self.settings.quality < 8 {
+            return Rgb::ZERO;
+        }
+        let c = -site.ray.dir.dot(normal);
+        reflect::reflectivity(&finish.reflection, c, color, || {
+            refract::relative_index(self.world, &site.path.inside, site.hit.interior)
+        })
+    }
+
+    /// The layer's own opacity.
+    fn opacity(&self, c: Color) -> f32 {
+        let filter = if self.modern { c.filter } else { c.filter * c.rgb.max_element() };
+        1.0 - filter - c.transmit
+    }
+
+    /// Light that the layer itself sends to the viewer.
+    fn own_light(&mut self, site: &Site, look: &Look) -> Rgb {
+        let finish = look.finish;
+        let ambient = finish.ambient * self.world.scene.globals.ambient_light + finish.emission;
+        look.color * ambient * look.opacity + self.direct(site, look)
+    }
+
+    /// Light from behind the surface. Straight on it is left to the caller's loop, for all stacks at once.
+    fn pass(&mut self, site: &Site, stacks: &mut [Through], light: &mut Radiance) -> Option<Onward> {
+        let straight = site.departure.ray(site.ray.dir);
+        if !self.needs.interiors {
+            return Some(joined(stacks, straight, Interiors::new(), Rgb::ONE));
+        }
+        let passage = Passage::new(self.world, &site.path.inside, site.hit.interior);
+        let interior = self.world.interior(site.hit.interior);
+        let fade = passage.leaves && refract::fades(interior);
+        let faded = if fade { refract::faded(interior, site.hit.t) } else { Rgb::ONE };
+        if passage.is_straight() {
+            return Some(joined(stacks, straight, passage.inside, faded));
+        }
+        for stack in stacks {
+            let (seen, filter) = self.refracted(site, &passage, stack);
+            light.rgb += stack.share * faded * filter * seen.rgb;
+            light.transmit += stack.share * grey(faded) * stack.clear * seen.transmit;
+        }
+        None
+    }
+
+    /// The reflected light of one layer.
+    fn bounce(&mut self, site: &Site, bounce: &Bounce) -> Rgb {
+        let (ray, path) = (site.ray, site.path);
+        self.counters.reflected_rays += 1;
+        let direction = reflect::mirrored(ray.dir, bounce.normal, site.facing);
+        let child = Path { weight: bounce.weight, class: mirrored_class(path.class), ..path.clone() };
+        let mut rgb = self.trace(site.departure.ray(direction), child).rgb;
+        let finish = bounce.finish;
+        if finish.irid != 0.0 {
+            let film = iridescence::film(finish, site.hit.point, self.context.noise);
+            let cosines = bounce.normal.dot(direction).abs() + bounce.normal.dot(ray.dir).abs();
+            let wavelength = self.world.scene.globals.irid_wavelength;
+            rgb *= iridescence::factor(finish.irid, film, cosines, wavelength);
+        }
+        if finish.reflection.power != 1.0 {
+            rgb = rgb.max(Rgb::ZERO).powf(finish.reflection.power);
+        }
+        bounce.k * rgb
+    }
+
+    /// Light from behind a bending surface through one stack, and the filter on it. Where all is reflected
+    /// it is that light, unfiltered, and the stack is marked.
+    fn refracted(&mut self, site: &Site, passage: &Passage, stack: &mut Through) -> (Radiance, Rgb) {
+        let wavelength = site.path.wavelength;
+        if passage.disperses() && wavelength.is_none() {
+            let seen = self.dispersed(site, passage, stack);
+            return (seen, stack.filter);
+        }
+        let ratio = match wavelength {
+            Some(w) => passage.ratio_at(w),
+            None => passage.ratio,
+        };
+        let (seen, all_reflected) = self.bend(site, passage, stack, ratio, wavelength);
+        stack.all_reflected = all_reflected;
+        (seen, if all_reflected { Rgb::ONE } else { stack.filter })
+    }
+
+    /// The mean over all bands of the spectrum.
+    fn dispersed(&mut self, site: &Site, passage: &Passage, stack: &Through) -> Radiance {
+        let bands = passage.dispersion_samples;
+        let mut sum = Radiance::BLACK;
+        for (wavelength, hue) in super::spectrum::bands(bands) {
+            let ratio = passage.ratio_at(wavelength);
+            let (seen, _) = self.bend(site, passage, stack, ratio, Some(wavelength));
+            sum.rgb += hue * seen.rgb / bands as f32;
+            sum.transmit += seen.transmit / bands as f32;
+        }
+        sum
+    }
+
+    /// The refracted ray's light, or that of the totally reflected ray and true.
+    fn bend(
+        &mut self,
+        site: &Site,
+        passage: &Passage,
+        stack: &Through,
+        ratio: f64,
+        wavelength: Option<f64>,
+    ) -> (Radiance, bool) {
+        let child = Path { weight: stack.weight, wavelength, ..site.path.clone() };
+        match refract::bent(site.ray.dir, stack.normal, ratio) {
+            Some(direction) => {
+                self.counters.refracted_rays += 1;
+                let child = Path { inside: passage.inside.clone(), ..child };
+                (self.trace(site.departure.ray(direction), child), false)
+            }
+            None => {
+                self.counters.reflected_rays += 1;
+                let direction = reflect::mirrored(site.ray.dir, stack.normal, site.facing);
+                let child = Path { class: mirrored_class(child.class), ..child };
+                (self.trace(site.departure.ray(direction), child), true)
+            }
+        }
+    }
+}
+
+/// What a layer shows outside of an image that is used once.
+const NOT_FOUND: Color = Color::new(0.0, 0.0, 0.0, 0.0, 1.0);
+
+/// All stacks passed by one straight ray.
+fn joined(stacks: &[Through], ray: Ray, inside: Interiors, faded: Rgb) -> Onward {
+    let mut onward = Onward { ray, factor: Rgb::ZERO, clear: 0.0, weight: 0.0, inside };
+    for stack in stacks {
+        onward.factor += stack.share * faded * stack.filter;
+        onward.clear += stack.share * grey(faded) * stack.clear;
+        onward.weight = onward.weight.max(stack.weight);
+    }
+    onward
+}
+
+/// The largest component of the reflection as declared, or for fresnel as it is.
+fn declared_maximum(finish: &Finish, k: Rgb) -> f32 {
+    let r = &finish.reflection;
+    if r.fresnel { k.max_element() } else { r.min.max_element().max(r.max.max_element()) }
+}
+
+fn mirrored_class(class: RayClass) -> RayClass {
+    if class == RayClass::Image { RayClass::Reflected } else { class }
+}
+
+fn has_several_layers(surfaces: &[(f32, &Surface)]) -> bool {
+    let [(_, surface)] = surfaces else { return true };
+    match &surface.layers[..] {
+        [only] => !matches!(&*only.texture, Texture::Layers(layers) if layers.len() == 1),
+        _ => true,
+    }
+}

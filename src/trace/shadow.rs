@@ -1,0 +1,191 @@
+//! How much of a light reaches a point: surfaces on the way filter it, opaque ones stop it.
+
+use super::layers::{self, Placed};
+use super::path::{Departure, Interiors, Path};
+use super::refract;
+use super::shade::Site;
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::light::{Arrival, is_dark};
+use crate::math::{EPSILON, Range, Ray};
+use crate::pattern::Context;
+use crate::world::{Hit, RayClass, WorldLight};
+use smallvec::SmallVec;
+
+/// Surfaces that a shadow ray passes before it is given up.
+const MAX_PASSED: u32 = 1 << 16;
+
+/// Exponent of the highlight that stands for focused light, for `caustics 1`.
+const FOCUS: f64 = 45.0;
+
+impl Tracer<'_> {
+    /// The light's colour at a point after shadows.
+    pub(super) fn shadowed(
+        &mut self,
+        departure: &Departure,
+        inside: &Interiors,
+        source: &WorldLight,
+        arrival: &Arrival,
+        class: RayClass,
+    ) -> Rgb {
+        let light = &source.light;
+        if self.settings.quality < 4 || (light.shadowless && source.projected_through.is_none()) {
+            return arrival.color;
+        }
+        match &light.area {
+            Some(area) if self.uses_area(class) => {
+                self.area_shadowed(departure, inside, source, area, arrival)
+            }
+            _ => {
+                let ray = departure.ray(arrival.direction);
+                self.transmitted(&ray, arrival.distance, inside, source, arrival.color)
+            }
+        }
+    }
+
+    /// What is left of `color` along `ray`, whose lamp is `distance` away.
+    pub(super) fn transmitted(
+        &mut self,
+        ray: &Ray,
+        distance: f64,
+        inside: &Interiors,
+        source: &WorldLight,
+        color: Rgb,
+    ) -> Rgb {
+        self.counters.shadow_rays += 1;
+        let light = &source.light;
+        let mut end = lamp_end(ray, distance);
+        if let Some(index) = source.projected_through {
+            match self.world.projector(index, ray, Range::new(0.0, end)) {
+                Some(t) => end = end.min(t * (1.0 - SAFETY * EPSILON)),
+                None => return Rgb::ZERO,
+            }
+        }
+        if light.shadowless {
+            return color;
+        }
+        let dims = light.media_attenuation && light.media_interaction && self.needs.atmosphere;
+        if end > 0.0 && self.world.blocked(ray, Range::new(0.0, end)) {
+            return Rgb::ZERO;
+        }
+        if self.world.all_opaque() || end <= 0.0 {
+            return if dims { color * self.dimmed(ray, distance, inside) } else { color };
+        }
+        self.filtered(*ray, distance, end, inside, dims, color)
+    }
+
+    /// Follows a ray that no opaque object stops from surface to surface.
+    fn filtered(
+        &mut self,
+        mut ray: Ray,
+        mut distance: f64,
+        mut end: f64,
+        inside: &Interiors,
+        dims: bool,
+        mut color: Rgb,
+    ) -> Rgb {
+        let mut inside = inside.clone();
+        for _ in 0..MAX_PASSED {
+            let hit = if end > 0.0 {
+                self.world.nearest(&ray, Range::new(0.0, end), RayClass::Shadow)
+            } else {
+                None
+            };
+            let Some(hit) = hit else {
+                return if dims { color * self.dimmed(&ray, distance, &inside) } else { color };
+            };
+            if dims {
+                color *= self.dimmed(&ray, hit.t, &inside);
+            }
+            color *= self.surface_filter(&ray, &hit, &inside);
+            if is_dark(color) {
+                return Rgb::ZERO;
+            }
+            if self.needs.interiors {
+                match inside.iter().position(|&i| i == hit.interior) {
+                    Some(i) => {
+                        inside.remove(i);
+                    }
+                    None => inside.push(hit.interior),
+                }
+            }
+            ray = Departure::from_hit(&hit).ray(ray.dir);
+            distance -= hit.t;
+            end -= hit.t;
+        }
+        Rgb::ZERO
+    }
+
+    /// What fog and atmospheric media leave of light over the first `length` of `ray`.
+    fn dimmed(&mut self, ray: &Ray, length: f64, inside: &Interiors) -> Rgb {
+        if !self.is_hollow(inside) || length <= 0.0 {
+            return Rgb::ONE;
+        }
+        let fog = super::fog::attenuation(&self.world.scene.fogs, ray, length, self.context.noise);
+        fog * self.media_shadow(ray, length, &[self.air])
+    }
+
+    /// What one surface and the stretch before it leave of the light.
+    fn surface_filter(&mut self, ray: &Ray, hit: &Hit, inside: &Interiors) -> Rgb {
+        let mut filter = if hit.opaque { Rgb::ZERO } else { self.texture_filter(ray, hit, inside) };
+        if !self.needs.interiors || filter == Rgb::ZERO || inside.is_empty() {
+            return filter;
+        }
+        let interior = self.world.interior(hit.interior);
+        if inside.contains(&hit.interior) && interior.fade_power > 0.0 && refract::fades(interior) {
+            filter *= refract::faded(interior, hit.t);
+        }
+        if self.needs.media && self.is_hollow(inside) {
+            let ranges: SmallVec<[(u32, u32); 4]> =
+                inside.iter().map(|i| self.media_of[i.0 as usize]).collect();
+            filter *= self.media_shadow(ray, hit.t, &ranges);
+        }
+        filter
+    }
+
+    /// What the textures leave of light that passes them, with the brightening of `caustics`.
+    fn texture_filter(&self, ray: &Ray, hit: &Hit, inside: &Interiors) -> Rgb {
+        let caustics = if self.needs.caustics { self.world.interior(hit.interior).caustics } else { 0.0 };
+        let path =
+            Path { level: 0, weight: 1.0, class: RayClass::Shadow, wavelength: None, inside: inside.clone() };
+        let site = Site::new(ray, hit, &path);
+        let mut surfaces = SmallVec::new();
+        self.world.surfaces(hit, site.is_back(), &mut surfaces);
+        let mut sum = Rgb::ZERO;
+        for &(share, surface) in &surfaces {
+            let incidence = || site.incidence(self.world);
+            layers::stacks(surface, hit, &self.context, incidence, |part, stack| {
+                sum += share * part * self.stack_filter(&site, stack, caustics);
+            });
+        }
+        sum
+    }
+
+    fn stack_filter(&self, site: &Site, stack: &[Placed], caustics: f32) -> Rgb {
+        let mut filter = Rgb::ONE;
+        for placed in stack {
+            let color = placed.layer.pigment.plain().or_else(|| placed.color(&self.context_at(site)));
+            if let Some(c) = color {
+                filter *= c.transmittance();
+            }
+            if caustics != 0.0 {
+                let c = placed.normal(site.facing, &self.context_at(site)).dot(site.ray.dir).abs();
+                filter *= 1.0 + c.powf(FOCUS * f64::from(caustics)) as f32;
+            }
+        }
+        filter
+    }
+
+    fn context_at<'s>(&self, site: &'s Site) -> Context<'s> {
+        Context { hit: Some(site.incidence(self.world)), ..self.context }
+    }
+}
+
+/// Multiples of the rounding unit by which a lamp's distance may be off.
+const SAFETY: f64 = 64.0;
+
+/// Where blockers stop counting: the lamp, less the rounding error of its distance.
+fn lamp_end(ray: &Ray, distance: f64) -> f64 {
+    let size = ray.origin.abs().max_element() + distance.abs();
+    distance - SAFETY * EPSILON * size
+}
