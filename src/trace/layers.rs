@@ -1,7 +1,7 @@
 //! A surface's texture at a hit, taken apart into stacks of plain layers.
 
 use crate::color::Color;
-use crate::material::{Layer, Texture};
+use crate::material::{Layer, Texture, TextureSample};
 use crate::math::{Transform, Vec3};
 use crate::pattern::{Context, Incidence};
 use crate::world::{Hit, Surface};
@@ -14,21 +14,19 @@ pub(super) struct Placed<'w, 'a> {
     /// The hit in the layer's space.
     point: Vec3,
     to_world: Option<&'w Transform>,
-    frames: &'a [Transform],
+    /// The way through patterned textures, if the layer stands in one.
+    sample: Option<&'a TextureSample<'w>>,
 }
 
 impl Placed<'_, '_> {
     /// The unit shading normal, for the unit normal `facing` towards the viewer.
     pub fn normal(&self, facing: Vec3, context: &Context) -> Vec3 {
         let Some(normal) = &self.layer.normal else { return facing };
-        let mut n = self.to_world.map_or(facing, |t| t.inverse_normal(facing).normalize());
-        for frame in self.frames {
-            n = frame.inverse_normal(n).normalize();
-        }
-        n = normal.perturb(n, self.point, context);
-        for frame in self.frames.iter().rev() {
-            n = frame.normal(n).normalize();
-        }
+        let n = self.to_world.map_or(facing, |t| t.inverse_normal(facing).normalize());
+        let n = match self.sample {
+            Some(sample) => sample.perturb(self.layer, n, context),
+            None => normal.perturb(n, self.point, context),
+        };
         self.to_world.map_or(n, |t| t.normal(n).normalize())
     }
 
@@ -61,7 +59,12 @@ pub(super) fn stacks<'w, 'i>(
         let (point, to_world) = (place(&l.texture_to_local), frame(&l.texture_to_world));
         match &*l.texture {
             Texture::Layers(layers) => {
-                stack.extend(layers.iter().rev().map(|layer| Placed { layer, point, to_world, frames: &[] }));
+                stack.extend(layers.iter().rev().map(|layer| Placed {
+                    layer,
+                    point,
+                    to_world,
+                    sample: None,
+                }));
             }
             // Nothing can be layered with a patterned texture.
             Texture::Patterned(_) => {
@@ -70,7 +73,7 @@ pub(super) fn stacks<'w, 'i>(
                 for s in &samples {
                     let layers = s.layers.iter().rev();
                     let stack: SmallVec<[Placed; 2]> = layers
-                        .map(|layer| Placed { layer, point: s.point, to_world, frames: &s.frames })
+                        .map(|layer| Placed { layer, point: s.point, to_world, sample: Some(s) })
                         .collect();
                     visit(s.weight, &stack);
                 }

@@ -178,13 +178,13 @@ fn take(tracer: &mut Tracer, stretch: &Stretch, interval: &mut Interval, d: f64)
 fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval) {
     let n = (plan.samples.0 / 2 + 1).max(2);
     let step = 1.0 / f64::from(n + 1);
-    let mut probe = Probe { tracer, stretch, plan, interval: *interval };
+    let probe = Probe { stretch, plan, interval: *interval };
     let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
-    let mut before = probe.at(0.0, step);
+    let mut before = probe.at(tracer, 0.0, step);
     for j in 1..=n {
         let (a, b) = (f64::from(j - 1) * step, f64::from(j) * step);
-        let after = probe.at(b, step);
-        let mean = probe.between((a, before), (b, after), plan.level as i32 - 1);
+        let after = probe.at(tracer, b, step);
+        let mean = probe.between(tracer, (a, before), (b, after), plan.level as i32 - 1);
         glow += mean.glow * exp(-depth / n as f32);
         depth += mean.extinction;
         before = after;
@@ -195,37 +195,36 @@ fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut 
 }
 
 /// Method 3's view of one interval: samples hold light and depth of the whole interval's length.
-struct Probe<'t, 'w, 's> {
-    tracer: &'t mut Tracer<'w>,
-    stretch: &'s Stretch<'s, 'w>,
-    plan: &'s Plan,
+struct Probe<'a, 's, 'w> {
+    stretch: &'a Stretch<'s, 'w>,
+    plan: &'a Plan,
     interval: Interval,
 }
 
 impl Probe<'_, '_, '_> {
     /// The sample at fraction `d`, shaken within `width`.
-    fn at(&mut self, d: f64, width: f64) -> Local {
+    fn at(&self, tracer: &mut Tracer, d: f64, width: f64) -> Local {
         let shift = if self.plan.jitter == 0.0 {
             0.0
         } else {
-            width * self.plan.jitter * (self.tracer.random.draw() - 0.5)
+            width * self.plan.jitter * (tracer.random.draw() - 0.5)
         };
         let s = self.interval.start + (d + shift) * self.interval.length;
-        let local = self.tracer.local(self.stretch, s, self.interval.lit);
+        let local = tracer.local(self.stretch, s, self.interval.lit);
         let length = self.interval.length as f32;
         Local { glow: local.glow * length, extinction: local.extinction * length }
     }
 
     /// The mean between two samples; halves that differ at their ends are looked into.
-    fn between(&mut self, a: (f64, Local), b: (f64, Local), level: i32) -> Local {
+    fn between(&self, tracer: &mut Tracer, a: (f64, Local), b: (f64, Local), level: i32) -> Local {
         let middle = 0.5 * (a.0 + b.0);
-        let m = (middle, self.at(middle, b.0 - a.0));
+        let m = (middle, self.at(tracer, middle, b.0 - a.0));
         if level <= 0 {
             return weighted(&[(a.1, 1.0 / 3.0), (m.1, 1.0 / 3.0), (b.1, 1.0 / 3.0)]);
         }
         let mut half = |end: (f64, Local), low: (f64, Local), high: (f64, Local)| {
             if (end.1.glow - m.1.glow).abs().element_sum() > self.plan.threshold {
-                weighted(&[(self.between(low, high, level - 1), 0.5)])
+                weighted(&[(self.between(tracer, low, high, level - 1), 0.5)])
             } else {
                 weighted(&[(end.1, 1.0 / 3.0), (m.1, 1.0 / 6.0)])
             }

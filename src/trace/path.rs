@@ -75,7 +75,7 @@ impl Departure {
     const MARGIN: f64 = 2.0;
 
     pub fn from_hit(hit: &Hit) -> Self {
-        Self { point: hit.point, normal: hit.normal, error: hit.error }
+        Self { point: hit.point, normal: hit.face, error: hit.error }
     }
 
     pub fn free(point: Vec3) -> Self {

@@ -203,7 +203,11 @@ impl<'w> Tracer<'w> {
     }
 
     fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {
-        if let Some(plain) = placed.layer.pigment.plain() {
+        let pigment = &placed.layer.pigment;
+        if self.settings.quality <= 5 && pigment.quick_color.is_some() {
+            return pigment.quick_color;
+        }
+        if let Some(plain) = pigment.plain() {
             return Some(plain);
         }
         let incidence = Incidence { normal, ..*site.incidence(self.world) };
