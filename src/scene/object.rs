@@ -25,6 +25,7 @@ pub struct Object {
     pub photons: ObjectPhotons,
     /// Share of radiosity rays that look at the object in full; `None` until written.
     pub importance: Option<f32>,
+    depth: u32,
 }
 
 #[derive(Clone, Debug)]
@@ -74,7 +75,12 @@ pub struct Flags {
 
 impl Object {
     pub fn new(body: Body) -> Self {
+        let depth = match &body {
+            Body::Csg { children, .. } => 1 + deepest(children),
+            Body::Shape(_) | Body::Light(_) => 1,
+        };
         Self {
+            depth,
             body,
             transform: Transform::IDENTITY,
             textures: Vec::new(),
@@ -87,6 +93,23 @@ impl Object {
             photons: ObjectPhotons::default(),
             importance: None,
         }
+    }
+
+    /// How many combinations and regions stand inside each other, itself included.
+    pub fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// Adds objects that clip.
+    pub fn clip_by(&mut self, regions: Vec<Arc<Object>>) {
+        self.depth = self.depth.max(1 + deepest(&regions));
+        self.clipped_by.extend(regions);
+    }
+
+    /// Adds objects that bound.
+    pub fn bound_by(&mut self, regions: Vec<Arc<Object>>) {
+        self.depth = self.depth.max(1 + deepest(&regions));
+        self.bounded_by.extend(regions);
     }
 
     /// Moves the object and everything attached to it so far.
@@ -102,4 +125,8 @@ impl Object {
             Arc::make_mut(o).apply(t);
         }
     }
+}
+
+fn deepest(objects: &[Arc<Object>]) -> u32 {
+    objects.iter().map(|o| o.depth).max().unwrap_or(0)
 }

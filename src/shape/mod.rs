@@ -20,7 +20,7 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use empty::Empty;
 pub use plane::Plane;
-pub use polygon::Polygon;
+pub use polygon::{Polygon, is_closed as is_closed_polygon};
 pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::{SmoothTriangle, Triangle};
