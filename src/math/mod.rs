@@ -10,11 +10,13 @@ pub mod polynomial;
 pub mod random;
 mod range;
 mod ray;
+mod spline;
 mod transform;
 
 pub use aabb::Aabb;
 pub use range::Range;
 pub use ray::Ray;
+pub use spline::{Spline, SplineKind, SplineValue};
 pub use transform::Transform;
 
 /// A point or vector in space.
