@@ -1,0 +1,96 @@
+use super::{Function, Internal, Number};
+use crate::math::field::Field;
+use crate::math::{Spline, Transform, Vec3};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// A function with several numbers for a value: of a point, or of one parameter.
+pub trait VectorFunction: Debug + Send + Sync {
+    /// The number of arguments.
+    fn arity(&self) -> usize {
+        3
+    }
+
+    fn kind(&self) -> VectorKind;
+
+    /// Components that the value lacks are 0.
+    fn value(&self, arguments: &[f64]) -> [f64; 5];
+}
+
+/// What a vector-valued function gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VectorKind {
+    /// 2 to 5 components.
+    Vector(u8),
+    /// Red, green, blue, filter, transmit.
+    Color,
+}
+
+impl VectorKind {
+    pub fn components(self) -> usize {
+        match self {
+            VectorKind::Vector(n) => usize::from(n),
+            VectorKind::Color => 5,
+        }
+    }
+}
+
+/// `function { transform { … } }`: the point moved.
+impl VectorFunction for Transform {
+    fn kind(&self) -> VectorKind {
+        VectorKind::Vector(3)
+    }
+
+    fn value(&self, arguments: &[f64]) -> [f64; 5] {
+        let p = self.point(Vec3::from_slice(arguments));
+        [p.x, p.y, p.z, 0.0, 0.0]
+    }
+}
+
+/// `function { spline { … } }`.
+impl VectorFunction for Spline {
+    fn arity(&self) -> usize {
+        1
+    }
+
+    fn kind(&self) -> VectorKind {
+        VectorKind::Vector(self.dimension() as u8)
+    }
+
+    fn value(&self, arguments: &[f64]) -> [f64; 5] {
+        Spline::value(self, arguments[0])
+    }
+}
+
+/// What an expression can call and does not contain.
+#[derive(Clone, Debug)]
+pub(super) enum Callee {
+    Internal(Internal),
+    /// An expression too long to be copied into its caller.
+    Function(Arc<Function>),
+    Field(Arc<dyn Field>),
+    Vector(Arc<dyn VectorFunction>),
+}
+
+impl Callee {
+    /// The components of the value; a number is the first.
+    #[inline]
+    pub fn value<N: Number>(&self, arguments: &[N]) -> [N; 5] {
+        let mut values = [N::from(0.0); 5];
+        match self {
+            Callee::Internal(internal) => values[0] = internal.value(arguments),
+            Callee::Function(function) => values[0] = function.number(arguments),
+            Callee::Field(field) => values[0] = N::field(&**field, [0, 1, 2].map(|i| arguments[i])),
+            Callee::Vector(vector) => N::vector(&**vector, arguments, &mut values),
+        }
+        values
+    }
+
+    /// How many numbers a call gives.
+    pub fn results(&self) -> usize {
+        match self {
+            Callee::Vector(v) => v.kind().components(),
+            _ => 1,
+        }
+    }
+}
