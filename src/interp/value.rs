@@ -2,6 +2,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::material::{Finish, Interior, Media, Normal, Pigment, Texture};
 use crate::math::Transform;
+use crate::pattern::{BlendMap, ColorMap};
 use crate::scene::{Fog, Object, Rainbow, SkySphere};
 use std::sync::Arc;
 
@@ -29,7 +30,7 @@ pub enum Value {
     Rainbow(Arc<Rainbow>),
     SkySphere(Arc<SkySphere>),
     /// `color_map`, `pigment_map` and their like, not yet given to a pattern.
-    Map(Arc<dyn std::any::Any + Send + Sync>),
+    Map(Arc<Map>),
     Function(Arc<dyn std::any::Any + Send + Sync>),
     Spline(Arc<dyn std::any::Any + Send + Sync>),
     Density(Arc<Pigment>),
@@ -48,4 +49,16 @@ pub struct Material {
     pub textures: Vec<crate::material::Attached<Texture>>,
     pub interior_textures: Vec<crate::material::Attached<Texture>>,
     pub interior: Option<crate::material::Attached<Interior>>,
+}
+
+/// A map as an identifier keeps it.
+#[derive(Clone, Debug)]
+pub enum Map {
+    Colors(ColorMap),
+    Pigments(BlendMap<Arc<Pigment>>),
+    Densities(BlendMap<Arc<Pigment>>),
+    Normals(BlendMap<Arc<Normal>>),
+    Textures(BlendMap<Texture>),
+    /// Height and slope.
+    Slopes(BlendMap<(f64, f64)>),
 }

@@ -55,3 +55,30 @@ pub struct Media {
     /// Density space to the space of the interior.
     pub transform: Transform,
 }
+
+impl Media {
+    /// What a medium is before anything is said about it, by syntax version times 100.
+    pub fn new(version: u32) -> Self {
+        let (intervals, samples, method) = if version < 350 { (10, (1, 1), 1) } else { (1, (10, 10), 3) };
+        Self {
+            intervals,
+            samples,
+            method,
+            jitter: 0.0,
+            aa_threshold: 0.1,
+            aa_level: 3,
+            collect: true,
+            absorption: Rgb::ZERO,
+            emission: Rgb::ZERO,
+            scattering: Rgb::ZERO,
+            scattering_type: 1,
+            eccentricity: 0.0,
+            extinction: 1.0,
+            confidence: 0.9,
+            variance: 1.0 / 128.0,
+            ratio: 0.9,
+            densities: Vec::new(),
+            transform: Transform::IDENTITY,
+        }
+    }
+}

@@ -22,6 +22,9 @@ pub struct Signal {
     pub frequency: f64,
     pub phase: f64,
     pub wave: Wave,
+    /// What `poly_wave` means without a number.
+    pub poly_exponent: f64,
+    /// Bits of all generators written; 0 for the scene's.
     pub noise_generator: u32,
 }
 
@@ -34,6 +37,7 @@ impl Default for Signal {
             frequency: 1.0,
             phase: 0.0,
             wave: Wave::Ramp,
+            poly_exponent: 1.0,
             noise_generator: 0,
         }
     }

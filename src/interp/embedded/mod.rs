@@ -41,7 +41,9 @@ mod tests {
 
     #[test]
     fn design_files_are_not_carried() {
-        for name in ["textures.inc", "woods.inc", "stones.inc", "metals.inc", "golds.inc", "glass.inc", "skies.inc"] {
+        for name in
+            ["textures.inc", "woods.inc", "stones.inc", "metals.inc", "golds.inc", "glass.inc", "skies.inc"]
+        {
             assert!(lookup(name).is_none(), "{name}");
         }
         assert!(lookup("Colors.inc").is_none(), "case matters");

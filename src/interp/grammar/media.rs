@@ -1,0 +1,98 @@
+//! `media { … }`.
+
+use crate::interp::{Parser, Result, Value};
+use crate::material::{Attached, Media};
+use crate::source::Diagnostic;
+use crate::syntax::{Keyword, Punct, Tok};
+use std::sync::Arc;
+
+impl Parser {
+    pub fn media_statement(&mut self) -> Result<Attached<Media>> {
+        self.expect(Keyword::Media)?;
+        self.expect_punct(Punct::LeftBrace)?;
+        let mut media = Media::new(self.syntax_version());
+        if let Some(Value::Media(named)) = self.peek_value()? {
+            self.take_value()?;
+            media = (*named).clone();
+        }
+        while self.media_item(&mut media)? {}
+        self.expect_punct(Punct::RightBrace)?;
+        Ok(Attached::new(Arc::new(media)))
+    }
+
+    fn media_item(&mut self, media: &mut Media) -> Result<bool> {
+        if let Some(transform) = self.transformation()? {
+            media.transform = media.transform.then(&transform);
+            return Ok(true);
+        }
+        let Tok::Word(word) = self.peek()?.tok else { return Ok(false) };
+        if self.media_number(word, media)? {
+            return Ok(true);
+        }
+        match word {
+            Keyword::Samples => {
+                self.next()?;
+                let least = self.whole_number(1)?;
+                self.comma()?;
+                let most = if self.at_expression()? { self.whole_number(1)? } else { least };
+                media.samples = (least, most);
+            }
+            Keyword::Collect => media.collect = self.next().and_then(|_| self.flag())?,
+            Keyword::Absorption => media.absorption = self.next().and_then(|_| self.rgb())?,
+            Keyword::Emission => media.emission = self.next().and_then(|_| self.rgb())?,
+            Keyword::Scattering => self.scattering(media)?,
+            Keyword::Density => media.densities.push(self.density_statement()?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn media_number(&mut self, word: Keyword, media: &mut Media) -> Result<bool> {
+        match word {
+            Keyword::Intervals => media.intervals = self.next().and_then(|_| self.whole_number(1))?,
+            Keyword::Method => media.method = self.next().and_then(|_| self.whole_number(1))?,
+            Keyword::AaLevel => media.aa_level = self.next().and_then(|_| self.whole_number(0))?,
+            Keyword::Jitter => media.jitter = self.next().and_then(|_| self.float())? as f32,
+            Keyword::AaThreshold => media.aa_threshold = self.next().and_then(|_| self.float())? as f32,
+            Keyword::Confidence => media.confidence = self.next().and_then(|_| self.float())? as f32,
+            Keyword::Variance => media.variance = self.next().and_then(|_| self.float())? as f32,
+            Keyword::Ratio => media.ratio = self.next().and_then(|_| self.float())? as f32,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// A whole number from `least` up.
+    fn whole_number(&mut self, least: u32) -> Result<u32> {
+        let token = self.peek()?;
+        let n = self.float()?;
+        if n >= f64::from(least) && n < 1e9 {
+            return Ok(n as u32);
+        }
+        Err(Box::new(Diagnostic::error(token.span, format!("expected a whole number from {least} up"))))
+    }
+
+    fn scattering(&mut self, media: &mut Media) -> Result<()> {
+        self.next()?;
+        self.expect_punct(Punct::LeftBrace)?;
+        let token = self.peek()?;
+        let kind = self.float()?;
+        if !(1.0..6.0).contains(&kind) {
+            return Err(Box::new(Diagnostic::error(token.span, "scattering has the types 1 to 5")));
+        }
+        media.scattering_type = kind as u32;
+        self.comma()?;
+        media.scattering = self.rgb()?;
+        loop {
+            if self.accept(Keyword::Eccentricity)? {
+                media.eccentricity = self.float()? as f32;
+            } else if self.accept(Keyword::Extinction)? {
+                media.extinction = self.float()? as f32;
+            } else {
+                break;
+            }
+        }
+        self.expect_punct(Punct::RightBrace)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,138 @@
+//! `normal { … }`.
+
+use super::pattern::Place;
+use crate::interp::{Parser, Result, Value};
+use crate::material::{Normal, NormalKind};
+use crate::pattern::BlendMap;
+use crate::source::Diagnostic;
+use crate::syntax::{Keyword, Punct, Tok};
+use std::sync::Arc;
+
+impl Parser {
+    /// A normal made from the default one, or from nothing.
+    pub fn normal_statement(&mut self) -> Result<Arc<Normal>> {
+        let base = self.default_normal();
+        self.normal_statement_from(base).map(Arc::new)
+    }
+
+    /// A normal made by changing `base`.
+    pub fn normal_statement_from(&mut self, base: Normal) -> Result<Normal> {
+        self.expect(Keyword::Normal)?;
+        self.expect_punct(Punct::LeftBrace)?;
+        let normal = self.normal_body(base)?;
+        self.expect_punct(Punct::RightBrace)?;
+        Ok(normal)
+    }
+
+    pub(super) fn default_normal(&self) -> Normal {
+        self.scene.default_layer.normal.as_deref().cloned().unwrap_or_default()
+    }
+
+    /// An identifier, a pattern, an amount and modifiers, each of which may be left out.
+    pub(super) fn normal_body(&mut self, base: Normal) -> Result<Normal> {
+        let start = self.peek()?.span;
+        let mut normal = base;
+        if let Some(Value::Normal(named)) = self.peek_value()? {
+            self.take_value()?;
+            normal = named.as_deref().cloned().unwrap_or_default();
+        }
+        if !self.normal_type(&mut normal)? && matches!(normal.kind, NormalKind::Flat) {
+            return Err(self.unexpected("the pattern of the normal"));
+        }
+        while self.normal_modifier(&mut normal)? {}
+        if matches!(normal.kind, NormalKind::Average) && normal.map.is_none() {
+            return Err(Box::new(Diagnostic::error(start, "an average must have a normal_map")));
+        }
+        self.check_depth(normal.depth(), start)?;
+        Ok(normal)
+    }
+
+    fn normal_type(&mut self, normal: &mut Normal) -> Result<bool> {
+        match self.peek()?.tok {
+            Tok::Word(Keyword::UvMapping) => {
+                self.next()?;
+                let base = normal.clone();
+                normal.kind = NormalKind::Uv(Arc::new(self.normal_body(base)?));
+                return Ok(true);
+            }
+            Tok::Word(Keyword::Average) => {
+                self.next()?;
+                normal.kind = NormalKind::Average;
+                normal.map = None;
+            }
+            _ => match self.pattern(Place::Normal)? {
+                Some(pattern) => {
+                    normal.kind = NormalKind::Patterned;
+                    let items = pattern.character().items;
+                    normal.signal.set_pattern(pattern);
+                    if let Some(items) = items {
+                        normal.map = self.normal_list(items)?;
+                        if normal.map.is_some() {
+                            return Ok(true);
+                        }
+                    }
+                }
+                None => {
+                    self.amount(normal)?;
+                    return Ok(false);
+                }
+            },
+        }
+        self.amount(normal)?;
+        Ok(true)
+    }
+
+    /// The number after the pattern.
+    fn amount(&mut self, normal: &mut Normal) -> Result<()> {
+        self.comma()?;
+        if self.at_expression()? {
+            normal.amount = self.single()?;
+        }
+        Ok(())
+    }
+
+    /// Normals, filled up with default ones; `None` if there are none.
+    fn normal_list(&mut self, items: usize) -> Result<Option<BlendMap<Arc<Normal>>>> {
+        let mut list = Vec::new();
+        while list.len() < items && self.peek()?.tok == Tok::Word(Keyword::Normal) {
+            list.push((list.len() as f32, self.normal_statement()?));
+            self.comma()?;
+        }
+        if list.is_empty() {
+            return Ok(None);
+        }
+        while list.len() < items {
+            list.push((list.len() as f32, Arc::new(self.default_normal())));
+        }
+        Ok(Some(BlendMap::new(list)))
+    }
+
+    fn normal_modifier(&mut self, normal: &mut Normal) -> Result<bool> {
+        let token = self.peek()?;
+        match token.tok {
+            Tok::Word(Keyword::NormalMap) => {
+                self.next()?;
+                let average = matches!(normal.kind, NormalKind::Average);
+                normal.map = Some(self.normal_map(average)?);
+            }
+            Tok::Word(Keyword::SlopeMap) => {
+                self.next()?;
+                normal.slopes = Some(self.slope_map()?);
+            }
+            Tok::Word(Keyword::BumpSize) => {
+                self.next()?;
+                normal.amount = self.single()?;
+            }
+            Tok::Word(Keyword::Accuracy) => {
+                self.next()?;
+                normal.accuracy = self.single()?;
+            }
+            Tok::Word(Keyword::NoBumpScale) => {
+                self.next()?;
+                normal.scale_bumps = false;
+            }
+            _ => return self.signal_modifier(&mut normal.signal),
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,92 @@
+//! Textures as versions before 3.0 wrote them: colours, patterns and finish items directly in the braces.
+
+use super::finish::Albedo;
+use super::pattern::Place;
+use crate::interp::{Parser, Result, Value};
+use crate::material::{Layer, Normal, NormalKind, Pigment, Texture};
+use crate::source::Diagnostic;
+use crate::syntax::{Keyword, Tok};
+use std::sync::Arc;
+
+impl Parser {
+    pub(super) fn old_texture_body(&mut self) -> Result<Texture> {
+        let mut layers = vec![self.scene.default_layer.clone()];
+        if let Some(Value::Texture(named)) = self.peek_value()? {
+            self.take_value()?;
+            match super::texture::joined(&named) {
+                Texture::Layers(named) => layers = named,
+                patterned => return Ok(patterned),
+            }
+        }
+        self.old_crand(&mut layers)?;
+        let mut albedo = Albedo::default();
+        while self.old_texture_item(&mut layers, &mut albedo)? {}
+        Ok(Texture::Layers(layers))
+    }
+
+    /// A number in first place is the finish's `crand`.
+    fn old_crand(&mut self, layers: &mut [Layer]) -> Result<()> {
+        let token = self.peek()?;
+        if let (Tok::Number(_), Some(top)) = (token.tok, layers.last_mut()) {
+            Arc::make_mut(&mut top.finish).crand = self.float()? as f32;
+            self.warn(Diagnostic::warning(token.span, "a number in a texture is read as `crand`"));
+        }
+        Ok(())
+    }
+
+    fn old_texture_item(&mut self, layers: &mut [Layer], albedo: &mut Albedo) -> Result<bool> {
+        if let Some(transform) = self.transformation()? {
+            layers.iter_mut().for_each(|layer| layer.transform(&transform));
+            return Ok(true);
+        }
+        let Some(top) = layers.last_mut() else { return Ok(false) };
+        match self.peek_value()? {
+            Some(Value::Pigment(pigment)) => top.pigment = pigment,
+            Some(Value::Normal(normal)) => top.normal = normal,
+            Some(Value::Finish(finish)) => top.finish = finish,
+            _ => return self.old_layer_item(top, albedo),
+        }
+        self.take_value()?;
+        Ok(true)
+    }
+
+    fn old_layer_item(&mut self, layer: &mut Layer, albedo: &mut Albedo) -> Result<bool> {
+        if self.layer_part(layer)? {
+            return Ok(true);
+        }
+        if self.finish_item(Arc::make_mut(&mut layer.finish), albedo)? {
+            return Ok(true);
+        }
+        if let Tok::Word(
+            Keyword::Bumps | Keyword::Dents | Keyword::Ripples | Keyword::Waves | Keyword::Wrinkles,
+        ) = self.peek()?.tok
+        {
+            layer.normal = Some(Arc::new(self.old_normal()?));
+            return Ok(true);
+        }
+        let mut pigment: Pigment = (*layer.pigment).clone();
+        let typed = self.pigment_type(&mut pigment, Place::Pigment)?;
+        let mut modified = false;
+        while self.pigment_modifier(&mut pigment, Place::Pigment)? {
+            modified = true;
+        }
+        if typed || modified {
+            pigment.settle();
+            layer.pigment = Arc::new(pigment);
+        }
+        Ok(typed || modified)
+    }
+
+    /// A pattern for normals with its amount.
+    fn old_normal(&mut self) -> Result<Normal> {
+        let mut normal = Normal::default();
+        if let Some(pattern) = self.pattern(Place::Normal)? {
+            normal.kind = NormalKind::Patterned;
+            normal.signal.set_pattern(pattern);
+        }
+        if self.at_expression()? {
+            normal.amount = self.single()?;
+        }
+        Ok(normal)
+    }
+}
