@@ -16,6 +16,7 @@ use crate::color::{Color, Rgb};
 use crate::material::{Attached, Media, Pigment};
 use crate::math::noise::Turbulence;
 use crate::math::{Transform, Vec3};
+use crate::pattern::ColorMap;
 use std::sync::Arc;
 
 /// A whole scene.
@@ -76,5 +77,5 @@ pub struct Rainbow {
     pub arc_angle: Option<f64>,
     pub falloff_angle: Option<f64>,
     /// Colours by position 0..1 across the bow.
-    pub colors: Vec<(f32, Color)>,
+    pub colors: ColorMap,
 }

@@ -2,7 +2,7 @@
 
 use super::path::Veil;
 use super::random::Random;
-use crate::color::{Color, Rgb};
+use crate::color::Rgb;
 use crate::math::{Ray, Vec3};
 use crate::scene::Rainbow;
 
@@ -37,7 +37,7 @@ fn veil_of(rainbow: &Rainbow, v: Vec3, length: f64, random: &mut Random) -> Opti
     if !(0.0..=1.0 - 1e-10).contains(&place) {
         return None;
     }
-    let c = color_at(&rainbow.colors, place as f32);
+    let c = rainbow.colors.color(place);
     let through = ((-length / rainbow.distance).exp() as f32).max(fade * (1.0 - c.transmit) + c.transmit);
     let filter = c.filter * (1.0 - through);
     Some(Veil {
@@ -64,31 +64,4 @@ fn fade_along_arc(rainbow: &Rainbow, v: Vec3) -> Option<f32> {
     }
     let q = (along - start) / (0.5 * arc - start);
     Some((q * q * (3.0 - 2.0 * q)) as f32)
-}
-
-/// The colour at a place across the bow.
-fn color_at(colors: &[(f32, Color)], place: f32) -> Color {
-    let next = colors.partition_point(|(x, _)| *x <= place);
-    let (Some(&(_, last)), Some(&(b, above))) = (colors.last(), colors.get(next)) else {
-        return colors.last().map_or(Color::BLACK, |c| c.1);
-    };
-    if next == 0 || place >= 1.0 {
-        return if next == 0 { above } else { last };
-    }
-    let (a, below) = colors[next - 1];
-    below.lerp(above, (place - a) / (b - a))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colours_between_and_outside_entries() {
-        let colors = [(0.25, Color::rgb(1.0, 0.0, 0.0)), (0.75, Color::rgb(0.0, 1.0, 0.0))];
-        assert_eq!(color_at(&colors, 0.1), colors[0].1);
-        assert_eq!(color_at(&colors, 0.5), Color::rgb(0.5, 0.5, 0.0));
-        assert_eq!(color_at(&colors, 0.9), colors[1].1);
-        assert_eq!(color_at(&[], 0.9), Color::BLACK);
-    }
 }

@@ -1,0 +1,350 @@
+//! `camera`.
+//!
+//! From version 3.5 on items are collected and worked out at the end, whatever their order; before, each
+//! acts at once on one camera that all statements share.
+
+use crate::camera::{Camera, CameraKind};
+use crate::interp::{Parser, Result, Value};
+use crate::math::{Transform, Vec3};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Keyword, Punct, Tok, Token};
+
+/// Lengths below count as none.
+const TINY: f64 = 1e-10;
+
+/// Items of a statement that are worked out at its end.
+#[derive(Default)]
+struct Items {
+    angle: Option<(f64, Span)>,
+    look_at: Option<(Vec3, Span)>,
+    focal_point: Option<Vec3>,
+    has_right_or_up: bool,
+    /// An angle or `look_at` has acted.
+    turned: bool,
+    transform: Transform,
+}
+
+impl Parser {
+    /// `camera { … }`; the word is the next token.
+    pub(crate) fn camera_statement(&mut self) -> Result<Camera> {
+        self.expect(Keyword::Camera)?;
+        self.expect_punct(Punct::LeftBrace)?;
+        if self.syntax_version() < 350 {
+            return self.old_camera();
+        }
+        if let Some(Value::Camera(camera)) = self.peek_value()? {
+            self.take_value()?;
+            return self.copied_camera((*camera).clone());
+        }
+        let mut camera = self.scene.default_camera.clone();
+        let mut items = Items::default();
+        self.camera_kind(&mut camera)?;
+        while !self.accept_punct(Punct::RightBrace)? {
+            self.camera_item(&mut camera, &mut items)?;
+        }
+        self.finish_camera(&mut camera, &items)?;
+        Ok(camera)
+    }
+
+    /// Behind an identifier only transformations may stand.
+    fn copied_camera(&mut self, mut camera: Camera) -> Result<Camera> {
+        while let Some(t) = self.transformation()? {
+            camera.apply(&t);
+        }
+        if !self.accept_punct(Punct::RightBrace)? {
+            return Err(self.unexpected("a transformation or `}`: a camera identifier can only be moved"));
+        }
+        Ok(camera)
+    }
+
+    /// The type keyword; false if none comes.
+    fn camera_kind(&mut self, camera: &mut Camera) -> Result<bool> {
+        let token = self.peek()?;
+        let Tok::Word(word) = token.tok else { return Ok(false) };
+        camera.kind = match word {
+            Keyword::Perspective => CameraKind::Perspective,
+            Keyword::Orthographic => CameraKind::Orthographic,
+            Keyword::Fisheye => CameraKind::Fisheye,
+            Keyword::UltraWideAngle => CameraKind::UltraWideAngle,
+            Keyword::Omnimax => CameraKind::Omnimax,
+            Keyword::Panoramic => CameraKind::Panoramic,
+            Keyword::Spherical => {
+                camera.angle = 360f64.to_radians();
+                camera.vertical_angle = 180f64.to_radians();
+                CameraKind::Spherical
+            }
+            Keyword::Cylinder => {
+                self.next()?;
+                camera.kind = CameraKind::Cylinder(self.cylinder_number()?);
+                return Ok(true);
+            }
+            Keyword::MeshCamera => {
+                self.next()?;
+                self.mesh_camera(token)?;
+                return Ok(true);
+            }
+            _ => return Ok(false),
+        };
+        self.next()?;
+        Ok(true)
+    }
+
+    fn cylinder_number(&mut self) -> Result<u8> {
+        let token = self.peek()?;
+        let number = self.float()?;
+        if (1.0..5.0).contains(&number) {
+            return Ok(number as u8);
+        }
+        Err(Box::new(Diagnostic::error(token.span, "there are cylinder cameras 1 to 4")))
+    }
+
+    /// `{ rays_per_pixel n method m [, distance] meshes [smooth] }`, read and left out.
+    fn mesh_camera(&mut self, keyword: Token) -> Result<()> {
+        self.expect_punct(Punct::LeftBrace)?;
+        self.expect(Keyword::RaysPerPixel)?;
+        self.float()?;
+        self.comma()?;
+        self.expect(Keyword::Method)?;
+        self.float()?;
+        self.comma()?;
+        if self.at_expression()? && !matches!(self.peek_value()?, Some(Value::Object(_))) {
+            self.float()?;
+        }
+        while self.object()?.is_some() {
+            self.comma()?;
+        }
+        self.accept(Keyword::Smooth)?;
+        self.expect_punct(Punct::RightBrace)?;
+        self.unsupported(keyword.span, "mesh_camera");
+        Ok(())
+    }
+
+    fn camera_item(&mut self, camera: &mut Camera, items: &mut Items) -> Result<()> {
+        if let Some(t) = self.transformation()? {
+            items.transform = items.transform.then(&t);
+            return Ok(());
+        }
+        let token = self.peek()?;
+        let Tok::Word(word) = token.tok else { return Err(self.unexpected("a camera item or `}`")) };
+        if self.blur_item(camera, word)? {
+            return Ok(());
+        }
+        match word {
+            Keyword::Location | Keyword::Sky | Keyword::Direction | Keyword::Right | Keyword::Up => {
+                self.next()?;
+                let v = self.vector()?;
+                items.has_right_or_up |= matches!(word, Keyword::Right | Keyword::Up);
+                *camera_vector(camera, word) = v;
+            }
+            Keyword::LookAt => {
+                self.next()?;
+                items.look_at = Some((self.vector()?, token.span));
+            }
+            Keyword::FocalPoint => {
+                self.next()?;
+                items.focal_point = Some(self.vector()?);
+            }
+            Keyword::Angle => {
+                self.next()?;
+                self.camera_angle(camera, items, token.span)?;
+            }
+            Keyword::Normal => camera.normal = Some(self.normal_statement()?),
+            _ => return Err(self.unexpected("a camera item or `}`: a camera's type must come first")),
+        }
+        Ok(())
+    }
+
+    /// An angle in degrees; two for a spherical camera.
+    fn camera_angle(&mut self, camera: &mut Camera, items: &mut Items, span: Span) -> Result<()> {
+        let angle = self.float()?;
+        if camera.kind == CameraKind::Spherical {
+            let height = if self.accept_punct(Punct::Comma)? || self.at_expression()? {
+                self.float()?
+            } else {
+                0.5 * angle
+            };
+            camera.vertical_angle = height.to_radians();
+        }
+        if is_straight(camera.kind) {
+            items.angle = Some((angle, span));
+        } else {
+            camera.angle = angle.to_radians();
+        }
+        Ok(())
+    }
+
+    /// Depth of field; the word is the next token. False for other words.
+    fn blur_item(&mut self, camera: &mut Camera, word: Keyword) -> Result<bool> {
+        let blur = &mut camera.blur;
+        match word {
+            Keyword::Aperture => {
+                self.next()?;
+                blur.aperture = self.float()?;
+            }
+            Keyword::BlurSamples => {
+                self.next()?;
+                let first = self.float()?.max(0.0) as u32;
+                let two = self.accept_punct(Punct::Comma)? || self.at_expression()?;
+                (blur.min_samples, blur.max_samples) =
+                    if two { (first, self.float()?.max(0.0) as u32) } else { (0, first) };
+            }
+            Keyword::Confidence => {
+                self.next()?;
+                let inside = |v: f64| v > 0.0 && v < 1.0;
+                blur.confidence = self.within("confidence", 0.9, inside)?;
+            }
+            Keyword::Variance => {
+                self.next()?;
+                blur.variance = self.within("variance", 1e-4, |v| (0.0..=1.0).contains(&v))?;
+            }
+            Keyword::Bokeh => {
+                self.next()?;
+                self.expect_punct(Punct::LeftBrace)?;
+                blur.bokeh = Some(self.pigment_statement()?);
+                self.expect_punct(Punct::RightBrace)?;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// A number, or a default with a warning where it lies outside of its range.
+    fn within(&mut self, name: &str, default: f64, inside: impl Fn(f64) -> bool) -> Result<f64> {
+        let token = self.peek()?;
+        let value = self.float()?;
+        if inside(value) {
+            return Ok(value);
+        }
+        let text = format!("`{name}` lies outside of 0 to 1: {default} is taken");
+        self.warn(Diagnostic::warning(token.span, text));
+        Ok(default)
+    }
+
+    /// The collected items in their fixed order.
+    fn finish_camera(&mut self, camera: &mut Camera, items: &Items) -> Result<()> {
+        if let Some((angle, span)) = items.angle {
+            set_angle(camera, angle, span)?;
+        }
+        let length = camera.direction.length();
+        if let Some((target, span)) = items.look_at {
+            self.look_at(camera, target, span)?;
+        }
+        let scaled = !items.has_right_or_up || items.angle.is_some();
+        if camera.kind == CameraKind::Orthographic && scaled {
+            fit_orthographic(camera);
+        }
+        set_focus(camera, items, length);
+        camera.apply(&items.transform);
+        Ok(())
+    }
+
+    /// Turns the camera towards `target`, keeping the lengths of its vectors and its handedness.
+    fn look_at(&mut self, camera: &mut Camera, target: Vec3, span: Span) -> Result<()> {
+        let mirrored = camera.up.cross(camera.direction).dot(camera.right) <= 0.0;
+        let towards = target - camera.location;
+        if towards.length_squared() < TINY {
+            let text = "the camera looks at its own location";
+            return Err(Box::new(Diagnostic::error(span, text)));
+        }
+        let ahead = towards.normalize();
+        let mut right = camera.sky.cross(ahead);
+        if right.abs().max_element() < TINY {
+            let text = "the camera looks along its `sky` vector: its old right vector is kept";
+            self.warn(Diagnostic::warning(span, text));
+            right = camera.right;
+        }
+        let right = right.normalize();
+        camera.up = ahead.cross(right) * camera.up.length();
+        camera.right = right * if mirrored { -camera.right.length() } else { camera.right.length() };
+        camera.direction = ahead * camera.direction.length();
+        camera.look_at = target;
+        Ok(())
+    }
+
+    /// Before version 3.5: the camera so far, changed item by item.
+    fn old_camera(&mut self) -> Result<Camera> {
+        let mut camera = self.scene.scene.camera.clone();
+        if let Some(Value::Camera(copy)) = self.peek_value()? {
+            self.take_value()?;
+            camera = (*copy).clone();
+        }
+        let mut items = Items::default();
+        while !self.accept_punct(Punct::RightBrace)? {
+            self.old_camera_item(&mut camera, &mut items)?;
+        }
+        let length = camera.direction.length();
+        set_focus(&mut camera, &items, length);
+        Ok(camera)
+    }
+
+    fn old_camera_item(&mut self, camera: &mut Camera, items: &mut Items) -> Result<()> {
+        let token = self.peek()?;
+        if matches!(token.tok, Tok::Word(Keyword::Spherical | Keyword::MeshCamera)) {
+            return Err(self.unexpected("a camera item that version 3.1 has"));
+        }
+        if self.camera_kind(camera)? {
+            if camera.kind == CameraKind::Orthographic {
+                fit_orthographic(camera);
+            }
+            return Ok(());
+        }
+        self.camera_item(camera, items)?;
+        items.turned |= items.look_at.is_some() || items.angle.is_some();
+        if let Some((target, span)) = items.look_at.take() {
+            self.look_at(camera, target, span)?;
+        }
+        if let Some((angle, span)) = items.angle.take()
+            && camera.kind == CameraKind::Perspective
+        {
+            set_angle(camera, angle, span)?;
+        }
+        camera.apply(&std::mem::take(&mut items.transform));
+        Ok(())
+    }
+}
+
+fn is_straight(kind: CameraKind) -> bool {
+    matches!(kind, CameraKind::Perspective | CameraKind::Orthographic)
+}
+
+fn camera_vector(camera: &mut Camera, word: Keyword) -> &mut Vec3 {
+    match word {
+        Keyword::Location => &mut camera.location,
+        Keyword::Sky => &mut camera.sky,
+        Keyword::Direction => &mut camera.direction,
+        Keyword::Right => &mut camera.right,
+        _ => &mut camera.up,
+    }
+}
+
+/// `angle` of straight views: the direction's length follows from the width. 0 means none.
+fn set_angle(camera: &mut Camera, degrees: f64, span: Span) -> Result<()> {
+    if degrees == 0.0 {
+        return Ok(());
+    }
+    if !(0.0..180.0).contains(&degrees) {
+        let text = "this camera's angle must lie between 0 and 180 degrees";
+        return Err(Box::new(Diagnostic::error(span, text)));
+    }
+    let half = 0.5 * degrees.to_radians();
+    let length = 0.5 * camera.right.length() / half.tan();
+    camera.direction = camera.direction.normalize() * length;
+    Ok(())
+}
+
+/// Makes the picture as large as a perspective one at the point looked at.
+fn fit_orthographic(camera: &mut Camera) {
+    let factor = (camera.look_at - camera.location).length() / camera.direction.length();
+    camera.right *= factor;
+    camera.up *= factor;
+}
+
+/// The distance of the sharp plane: to `focal_point`, else `length`, the direction's.
+fn set_focus(camera: &mut Camera, items: &Items, length: f64) {
+    let distance = match items.focal_point {
+        Some(point) => (point - camera.location).length(),
+        None if items.turned || items.angle.is_some() || items.look_at.is_some() => length,
+        None => 1.0,
+    };
+    camera.blur.focal_distance = if distance == 0.0 { 1.0 } else { distance };
+}
