@@ -165,27 +165,3 @@ impl Default for ObjectPhotons {
         Self { target: None, refraction: None, reflection: None, pass_through: false, collect: true }
     }
 }
-
-/// A target that lets photons pass through does not refract them: the later statement wins.
-impl ObjectPhotons {
-    pub fn settle_target(&mut self) {
-        if self.pass_through && self.target.is_some() {
-            match self.refraction {
-                Some(true) => self.pass_through = false,
-                _ => self.refraction = Some(false),
-            }
-        }
-    }
-
-    pub fn settle_refraction(&mut self) {
-        if self.pass_through && self.target.is_some() && self.refraction == Some(true) {
-            self.pass_through = false;
-        }
-    }
-
-    pub fn settle_pass_through(&mut self) {
-        if self.pass_through && self.target.is_some() {
-            self.refraction = Some(false);
-        }
-    }
-}

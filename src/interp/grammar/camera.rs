@@ -98,23 +98,17 @@ impl Parser {
         Err(Box::new(Diagnostic::error(token.span, "there are cylinder cameras 1 to 4")))
     }
 
-    /// `{ rays_per_pixel n method m [, distance] meshes [smooth] }`, read and left out.
+    /// `{ rays per pixel, kind, [longest distance,] meshes }` without commas; read and left out.
     fn mesh_camera(&mut self, keyword: Token) -> Result<()> {
         self.expect_punct(Punct::LeftBrace)?;
-        self.expect(Keyword::RaysPerPixel)?;
         self.float()?;
-        self.comma()?;
-        self.expect(Keyword::Method)?;
         self.float()?;
-        self.comma()?;
-        if self.at_expression()? && !matches!(self.peek_value()?, Some(Value::Object(_))) {
+        if !matches!(self.peek_value()?, Some(Value::Object(_))) && self.at_expression()? {
             self.float()?;
         }
-        while self.object()?.is_some() {
-            self.comma()?;
-        }
-        self.accept(Keyword::Smooth)?;
+        while self.object()?.is_some() {}
         self.expect_punct(Punct::RightBrace)?;
+        self.accept(Keyword::Smooth)?;
         self.unsupported(keyword.span, "mesh_camera");
         Ok(())
     }

@@ -1,9 +1,9 @@
-//! `global_settings`, and the `photons` block of objects.
+//! `global_settings`.
 
 use crate::color::Gamma;
 use crate::interp::{Parser, Result};
 use crate::math::noise::NoiseGenerator;
-use crate::scene::{ObjectPhotons, PhotonSettings, RadiositySettings, SubsurfaceSettings};
+use crate::scene::{PhotonSettings, RadiositySettings, SubsurfaceSettings};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, Tok, Token};
 
@@ -15,7 +15,7 @@ impl Parser {
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
             let Tok::Word(word) = token.tok else { return Err(not_a_setting(token, "global_settings")) };
-            if !(self.global_light_item(word)? || self.global_item(word, token.span)?) {
+            if !(self.global_light_item(word, token.span)? || self.global_item(word, token.span)?) {
                 return Err(not_a_setting(token, "global_settings"));
             }
             self.comma()?;
@@ -24,7 +24,7 @@ impl Parser {
     }
 
     /// Settings of light.
-    fn global_light_item(&mut self, word: Keyword) -> Result<bool> {
+    fn global_light_item(&mut self, word: Keyword, span: Span) -> Result<bool> {
         match word {
             Keyword::AdcBailout => self.scene.scene.globals.adc_bailout = self.float()? as f32,
             Keyword::AmbientLight => self.scene.scene.globals.ambient_light = self.rgb()?,
@@ -36,17 +36,15 @@ impl Parser {
             }
             Keyword::MmPerUnit => self.scene.scene.globals.mm_per_unit = self.float()?,
             Keyword::Radiosity => {
-                let settings = self.radiosity_settings()?;
+                let settings = self.radiosity_settings(span)?;
                 self.scene.scene.globals.radiosity = Some(settings);
             }
             Keyword::Photons => {
-                let span = self.last_span();
                 let settings = self.photon_settings()?;
                 self.scene.scene.globals.photons = Some(settings);
                 self.unsupported(span, "photons");
             }
             Keyword::Subsurface => {
-                let span = self.last_span();
                 let settings = self.subsurface_settings()?;
                 self.scene.scene.globals.subsurface = Some(settings);
                 self.unsupported(span, "subsurface");
@@ -125,7 +123,7 @@ impl Parser {
     }
 
     /// `{ … }` behind `radiosity`.
-    fn radiosity_settings(&mut self) -> Result<RadiositySettings> {
+    fn radiosity_settings(&mut self, span: Span) -> Result<RadiositySettings> {
         let mut r = RadiositySettings::default();
         let (mut minimum, mut maximum) = (None, None);
         self.expect_punct(Punct::LeftBrace)?;
@@ -152,8 +150,7 @@ impl Parser {
             }
             self.comma()?;
         }
-        set_reuse(&mut r, minimum, maximum)
-            .map_err(|text| Box::new(Diagnostic::error(self.last_span(), text)))?;
+        set_reuse(&mut r, minimum, maximum).map_err(|text| Box::new(Diagnostic::error(span, text)))?;
         Ok(r)
     }
 
@@ -297,34 +294,6 @@ impl Parser {
         }
         Ok(s)
     }
-
-    /// `photons { … }` of an object, added to what it has; the word is the next token.
-    pub(crate) fn object_photons_statement(&mut self, mut p: ObjectPhotons) -> Result<ObjectPhotons> {
-        self.expect(Keyword::Photons)?;
-        self.expect_punct(Punct::LeftBrace)?;
-        while !self.accept_punct(Punct::RightBrace)? {
-            let token = self.next()?;
-            match token.tok {
-                Tok::Word(Keyword::Target) => {
-                    let density = if self.at_expression()? { self.float()? } else { 1.0 };
-                    p.target = (density > 0.0).then_some(density as f32);
-                    p.settle_target();
-                }
-                Tok::Word(Keyword::Refraction) => {
-                    p.refraction = Some(self.flag()?);
-                    p.settle_refraction();
-                }
-                Tok::Word(Keyword::Reflection) => p.reflection = Some(self.flag()?),
-                Tok::Word(Keyword::PassThrough) => {
-                    p.pass_through = self.flag()?;
-                    p.settle_pass_through();
-                }
-                Tok::Word(Keyword::Collect) => p.collect = self.flag()?,
-                _ => return Err(not_a_setting(token, "photons")),
-            }
-        }
-        Ok(p)
-    }
 }
 
 /// More sources of waves than this only cost time.
@@ -352,7 +321,9 @@ fn set_reuse(
     match (minimum, maximum) {
         (None, _) => r.minimum_reuse = 0.5 * r.maximum_reuse,
         (_, None) => r.maximum_reuse = 2.0 * r.minimum_reuse,
-        _ if r.minimum_reuse >= r.maximum_reuse => return Err("`minimum_reuse` must be below `maximum_reuse`"),
+        _ if r.minimum_reuse >= r.maximum_reuse => {
+            return Err("`minimum_reuse` must be below `maximum_reuse`");
+        }
         _ => {}
     }
     Ok(())

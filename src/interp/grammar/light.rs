@@ -5,8 +5,8 @@ use crate::interp::{Parser, Result, Value};
 use crate::light::{AreaLight, CylinderBeam, Light, LightKind, SpotBeam};
 use crate::math::{Transform, Vec3};
 use crate::scene::{Body, LightSource, Object};
-use crate::source::Diagnostic;
-use crate::syntax::{Keyword, Punct, Tok};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Keyword, Punct, Tok, Token};
 use std::sync::Arc;
 
 /// A light while its statement is read: settings of an area may come before the area itself.
@@ -35,9 +35,9 @@ impl LightBuilder {
         }
     }
 
-    fn finished(mut self) -> Object {
+    fn finished(mut self) -> LightSource {
         self.source.light.area = self.has_area.then_some(self.grid);
-        Object::new(Body::Light(Arc::new(self.source)))
+        self.source
     }
 }
 
@@ -61,18 +61,18 @@ impl Parser {
                     if self.light_kind_item(&mut light.source.light, word)?
                         || self.light_grid_item(&mut light, word)?
                         || self.light_item(&mut light.source.light, word)?
-                        || self.light_body_item(&mut light.source, word)?
+                        || self.light_body_item(&mut light.source, token)?
                     {
                         continue;
                     }
-                    return Err(Box::new(self.not_in_a_light(word)));
+                    return Err(not_in_a_light(token.span, word));
                 }
                 _ => return Err(self.unexpected("a light source item or `}`")),
             }
             self.next()?;
         }
         self.expect_punct(Punct::RightBrace)?;
-        Ok(light.finished())
+        Ok(Object::new(Body::Light(Arc::new(light.finished()))))
     }
 
     /// An identifier with a light, or location and colour.
@@ -86,9 +86,7 @@ impl Parser {
             self.take_value()?;
             let mut builder = LightBuilder::new((**source).clone());
             builder.apply(&object.transform);
-            let has_area = builder.has_area;
-            builder.source.light.area = has_area.then_some(builder.grid);
-            return Ok(builder.source);
+            return Ok(builder.finished());
         }
         let location = self.vector()?;
         self.comma()?;
@@ -163,20 +161,19 @@ impl Parser {
     }
 
     /// Objects that belong to the light.
-    fn light_body_item(&mut self, source: &mut LightSource, word: Keyword) -> Result<bool> {
-        match word {
-            Keyword::LooksLike => {
-                let mut body = self.light_body()?;
+    fn light_body_item(&mut self, source: &mut LightSource, token: Token) -> Result<bool> {
+        match token.tok {
+            Tok::Word(Keyword::LooksLike) => {
+                let mut body = self.light_body(Parser::textured_object)?;
                 body.apply(&Transform::translate(source.light.location));
                 body.flags.no_shadow = true;
                 source.looks_like = Some(Arc::new(body));
             }
-            Keyword::ProjectedThrough => {
-                let span = self.last_span();
-                let mut body = self.light_body()?;
+            Tok::Word(Keyword::ProjectedThrough) => {
+                let mut body = self.light_body(Parser::required_object)?;
                 if !body.textures.is_empty() || body.interior.is_some() {
                     let text = "texture and interior of a `projected_through` object are left out";
-                    self.warn(Diagnostic::warning(span, text));
+                    self.warn(Diagnostic::warning(token.span, text));
                 }
                 body.textures.clear();
                 body.interior = None;
@@ -188,9 +185,9 @@ impl Parser {
     }
 
     /// `{ object transformations }`.
-    fn light_body(&mut self) -> Result<Object> {
+    fn light_body(&mut self, object: fn(&mut Parser) -> Result<Object>) -> Result<Object> {
         self.expect_punct(Punct::LeftBrace)?;
-        let mut body = self.required_object()?;
+        let mut body = object(self)?;
         while let Some(t) = self.transformation()? {
             body.apply(&t);
         }
@@ -221,20 +218,6 @@ impl Parser {
         }
         Ok(())
     }
-
-    fn not_in_a_light(&self, word: Keyword) -> Diagnostic {
-        let error = Diagnostic::error(
-            self.last_span(),
-            format!("`{}` does not fit here in a light source", word.text()),
-        );
-        match word {
-            Keyword::PointAt => error.with_hint("say `spotlight`, `cylinder` or `parallel` before it"),
-            Keyword::Radius | Keyword::Falloff | Keyword::Tightness => {
-                error.with_hint("say `spotlight` or `cylinder` before it")
-            }
-            _ => error,
-        }
-    }
 }
 
 /// Lamps along one side of an area light.
@@ -252,4 +235,15 @@ fn set_beam(kind: &mut LightKind, word: Keyword, value: f64) {
         (LightKind::Point, _) => return,
     };
     *place = value;
+}
+
+fn not_in_a_light(span: Span, word: Keyword) -> Box<Diagnostic> {
+    let error = Diagnostic::error(span, format!("`{}` does not fit here in a light source", word.text()));
+    Box::new(match word {
+        Keyword::PointAt => error.with_hint("say `spotlight`, `cylinder` or `parallel` before it"),
+        Keyword::Radius | Keyword::Falloff | Keyword::Tightness => {
+            error.with_hint("say `spotlight` or `cylinder` before it")
+        }
+        _ => error,
+    })
 }

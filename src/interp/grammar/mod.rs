@@ -1,9 +1,13 @@
 //! One file per area of the language, one function per production.
 
+mod atmosphere;
+mod camera;
 mod csg;
 mod default_texture;
 mod finish;
+mod globals;
 mod interior;
+mod light;
 mod map;
 mod material;
 mod media;
@@ -12,7 +16,6 @@ mod normal;
 mod object;
 mod old_texture;
 mod pattern;
-mod pending;
 mod pigment;
 mod regions;
 mod shapes;

@@ -40,6 +40,13 @@ impl Parser {
         }
     }
 
+    /// An object where one must come that stands for itself: without a texture it has the default one.
+    pub(super) fn textured_object(&mut self) -> Result<Object> {
+        let mut object = self.required_object()?;
+        give_default(&mut object, &self.default_texture());
+        Ok(object)
+    }
+
     /// Takes an object if one comes and puts it into the scene.
     pub fn object_statement(&mut self) -> Result<bool> {
         let Some(mut object) = self.object()? else { return Ok(false) };
@@ -73,7 +80,7 @@ impl Parser {
     }
 
     /// The default texture in force, shared with the object placed before where it is the same.
-    fn default_texture(&mut self) -> Arc<Texture> {
+    fn default_texture(&self) -> Arc<Texture> {
         let layer = &self.scene.default_layer;
         let before = self.scene.scene.objects.last().and_then(|o| o.textures.first());
         match before {

@@ -89,7 +89,10 @@ impl Parser {
             1 => Magnet::First,
             2 => Magnet::Second,
             _ => {
-                return Err(Box::new(Diagnostic::error(token.span, "there are magnets of type 1 and 2 only")));
+                return Err(Box::new(Diagnostic::error(
+                    token.span,
+                    "there are magnets of type 1 and 2 only",
+                )));
             }
         };
         if self.accept(Keyword::Mandel)? {
