@@ -3,13 +3,35 @@
 //! Three layers: the token stream (files, directives, macros, loops), expressions and symbols, and the
 //! grammar of scene statements, which pulls tokens and never sees a directive.
 
+mod builtin;
+mod directives;
 pub mod embedded;
+mod expr;
 mod grammar;
+mod include;
+mod interpret;
+mod lookup;
+mod macros;
+mod messages;
+mod options;
 mod parser;
+mod statements;
+mod stream;
+mod string;
+mod suggest;
+mod symbols;
+#[cfg(test)]
+mod tests;
+mod textfile;
 mod value;
+mod version;
+mod world_query;
 
+pub use interpret::{Outcome, Statistics, interpret, interpret_str};
+pub(crate) use lookup::Kind as FileKind;
+pub use options::{Frame, IncludeMode, Limits, Options, SceneSource};
 pub use parser::Parser;
-pub use value::Value;
+pub use value::{Array, Material, Value};
 
 use crate::source::Diagnostic;
 

@@ -41,6 +41,40 @@ pub enum Value {
 pub struct Array {
     pub sizes: Vec<usize>,
     pub elements: Vec<Option<Value>>,
+    /// What every element must be, from the first one set.
+    pub kind: Option<&'static str>,
+}
+
+impl Value {
+    /// What the value is, in the words of a message.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Value::Float(_) => "number",
+            Value::Vector(2, _) => "2-vector",
+            Value::Vector(4, _) => "4-vector",
+            Value::Vector(..) => "vector",
+            Value::Color(_) => "color",
+            Value::String(_) => "string",
+            Value::Array(_) => "array",
+            Value::Transform(_) => "transform",
+            Value::Object(_) => "object",
+            Value::Pigment(_) => "pigment",
+            Value::Normal(_) => "normal",
+            Value::Finish(_) => "finish",
+            Value::Texture(_) => "texture",
+            Value::Interior(_) => "interior",
+            Value::Media(_) => "media",
+            Value::Material(_) => "material",
+            Value::Camera(_) => "camera",
+            Value::Fog(_) => "fog",
+            Value::Rainbow(_) => "rainbow",
+            Value::SkySphere(_) => "sky_sphere",
+            Value::Map(_) => "map",
+            Value::Function(_) => "function",
+            Value::Spline(_) => "spline",
+            Value::Density(_) => "density",
+        }
+    }
 }
 
 /// `material { texture interior_texture interior }`.

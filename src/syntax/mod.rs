@@ -1,7 +1,13 @@
 //! Scene text to tokens. The only user of `logos`.
 
+mod interner;
 mod keyword;
+mod lexer;
+mod number;
 mod token;
 
+pub use interner::Interner;
 pub use keyword::{Keyword, SPELLINGS};
-pub use token::{Punct, StringId, Symbol, Tok, Token};
+pub use lexer::Lexer;
+pub use number::parse_number;
+pub use token::{Directive, Punct, StringId, Symbol, Tok, Token};

@@ -1,8 +1,12 @@
 //! One file per area of the language, one function per production.
 
+mod array;
 mod atmosphere;
 mod camera;
+mod color;
 mod csg;
+mod declare;
+mod default;
 mod default_texture;
 mod finish;
 mod globals;
@@ -18,6 +22,9 @@ mod old_texture;
 mod pattern;
 mod pigment;
 mod regions;
+mod scene;
 mod shapes;
+mod stubs;
 mod texture;
+mod transform;
 mod warp;

@@ -1,0 +1,499 @@
+//! Numeric expressions: numbers, and tuples of 2 to 5 of them.
+
+use super::directives::TINY;
+use super::{Parser, Result, Value};
+use crate::color::{Color, GREY_WEIGHTS};
+use crate::math::{Vec2, Vec3};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
+
+/// What an expression yields.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Number {
+    Scalar(f64),
+    /// 2 to 5 components, the others 0.
+    Tuple(u8, [f64; 5]),
+}
+
+use Number::{Scalar, Tuple};
+
+impl Number {
+    pub fn vector(v: Vec3) -> Self {
+        Tuple(3, [v.x, v.y, v.z, 0.0, 0.0])
+    }
+
+    /// All five components; a scalar fills `count` of them.
+    pub fn filled(self, count: usize) -> [f64; 5] {
+        match self {
+            Scalar(v) => std::array::from_fn(|i| if i < count { v } else { 0.0 }),
+            Tuple(_, v) => v,
+        }
+    }
+
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Scalar(v) => Scalar(f(v)),
+            Tuple(n, v) => Tuple(n, std::array::from_fn(|i| if i < n as usize { f(v[i]) } else { 0.0 })),
+        }
+    }
+
+    /// Component by component; a scalar is replicated, a shorter tuple padded with 0.
+    #[inline]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        if let (Scalar(a), Scalar(b)) = (self, other) {
+            return Scalar(f(a, b));
+        }
+        let n = self.len().max(other.len());
+        let (a, b) = (self.filled(n), other.filled(n));
+        Tuple(n as u8, std::array::from_fn(|i| if i < n { f(a[i], b[i]) } else { 0.0 }))
+    }
+
+    pub fn len(self) -> usize {
+        match self {
+            Scalar(_) => 1,
+            Tuple(n, _) => n as usize,
+        }
+    }
+
+    /// As a variable keeps it: five components are a colour.
+    pub fn into_value(self) -> Value {
+        match self {
+            Scalar(v) => Value::Float(v),
+            Tuple(5, v) => Value::Color(Color::from_components(v.map(|c| c as f32))),
+            Tuple(n, v) => Value::Vector(n, v),
+        }
+    }
+
+    pub fn from_value(value: &Value) -> Option<Self> {
+        match value {
+            Value::Float(v) => Some(Scalar(*v)),
+            Value::Vector(n, v) => Some(Tuple(*n, *v)),
+            Value::Color(c) => Some(Tuple(5, c.components().map(f64::from))),
+            _ => None,
+        }
+    }
+}
+
+fn truth(v: f64) -> bool {
+    v.abs() > TINY
+}
+
+fn number(b: bool) -> f64 {
+    f64::from(u8::from(b))
+}
+
+impl Parser {
+    /// A number, at the additive level (no comparison outside parentheses).
+    pub fn float(&mut self) -> Result<f64> {
+        let start = self.peek_operand()?.span;
+        let value = self.additive()?;
+        self.scalar(value, start)
+    }
+
+    /// The only component of a number.
+    #[inline]
+    pub(super) fn scalar(&mut self, value: Number, start: Span) -> Result<f64> {
+        match value {
+            Scalar(v) => Ok(v),
+            Tuple(n, _) => Err(self.not_a_number(n, start)),
+        }
+    }
+
+    fn not_a_number(&self, n: u8, start: Span) -> Box<Diagnostic> {
+        let found = if n == 5 { "a color".to_owned() } else { format!("a {n}-component vector") };
+        Box::new(Diagnostic::error(start.to(self.last), format!("expected a number, found {found}")))
+    }
+
+    /// A 3-vector; a number is replicated, 2 components are padded with 0.
+    pub fn vector(&mut self) -> Result<Vec3> {
+        let start = self.peek_operand()?.span;
+        let value = self.additive()?;
+        let v = self.tuple(value, 3, start)?;
+        Ok(Vec3::new(v[0], v[1], v[2]))
+    }
+
+    pub fn vector2(&mut self) -> Result<Vec2> {
+        let start = self.peek_operand()?.span;
+        let value = self.additive()?;
+        let v = self.tuple(value, 2, start)?;
+        Ok(Vec2::new(v[0], v[1]))
+    }
+
+    pub fn vector4(&mut self) -> Result<[f64; 4]> {
+        let start = self.peek_operand()?.span;
+        let value = self.additive()?;
+        let v = self.tuple(value, 4, start)?;
+        Ok([v[0], v[1], v[2], v[3]])
+    }
+
+    /// At most `count` components.
+    pub(super) fn tuple(&mut self, value: Number, count: usize, start: Span) -> Result<[f64; 5]> {
+        if value.len() > count {
+            let message = format!("expected a vector of {count} components, found {}", value.len());
+            return Err(Box::new(Diagnostic::error(start.to(self.last), message)));
+        }
+        Ok(value.filled(count))
+    }
+
+    /// A full comparison-level number as in `#if (…)` and map keys.
+    pub fn condition(&mut self) -> Result<f64> {
+        let start = self.peek_operand()?.span;
+        let value = self.full()?;
+        self.scalar(value, start)
+    }
+
+    /// The optional number of a boolean option: absent means on, on iff it is above 0.
+    pub fn flag(&mut self) -> Result<bool> {
+        if self.at_color_word()? || !self.at_expression()? {
+            return Ok(true);
+        }
+        Ok(self.float()? > 0.0)
+    }
+
+    /// Any expression value: a float, a vector, a colour or a string.
+    pub fn expression(&mut self) -> Result<Value> {
+        if self.at_string()? {
+            return Ok(Value::String(self.string_value()?));
+        }
+        if self.at_color_word()? {
+            return Ok(Value::Color(self.color()?));
+        }
+        Ok(self.additive()?.into_value())
+    }
+
+    /// The loosest level: `c ? a : b`.
+    pub(super) fn full(&mut self) -> Result<Number> {
+        let start = self.peek_operand()?.span;
+        let value = self.logical()?;
+        if self.peek()?.tok != Tok::Punct(Punct::Question) {
+            return Ok(value);
+        }
+        let chosen = truth(self.scalar(value, start)?);
+        self.next()?;
+        self.deeper()?;
+        let yes = self.full()?;
+        self.expect_punct(Punct::Colon)?;
+        let no = self.full()?;
+        self.shallower();
+        Ok(if chosen { yes } else { no })
+    }
+
+    /// `&` and `|`, of equal precedence.
+    fn logical(&mut self) -> Result<Number> {
+        let mut left = self.relational()?;
+        loop {
+            let op: fn(f64, f64) -> f64 = match self.peek()?.tok {
+                Tok::Punct(Punct::And) => |a, b| number(truth(a) && truth(b)),
+                Tok::Punct(Punct::Or) => |a, b| number(truth(a) || truth(b)),
+                _ => return Ok(left),
+            };
+            self.next()?;
+            let right = self.relational()?;
+            left = left.with(right, op);
+        }
+    }
+
+    /// Comparisons, of equal precedence.
+    fn relational(&mut self) -> Result<Number> {
+        let mut left = if self.at_string()? { self.string_comparison()? } else { self.additive()? };
+        loop {
+            let token = self.peek()?;
+            let Some(op) = comparison(token.tok) else { return Ok(left) };
+            self.take(token)?;
+            let right = self.additive()?;
+            left = left.with(right, op);
+        }
+    }
+
+    fn string_comparison(&mut self) -> Result<Number> {
+        let left = self.string_value()?;
+        let token = self.peek()?;
+        if comparison(token.tok).is_none() {
+            return Err(self.unexpected("a comparison of two strings"));
+        }
+        self.take(token)?;
+        let order = left.chars().cmp(self.string_value()?.chars());
+        Ok(Scalar(number(match token.tok {
+            Tok::Punct(Punct::Less) => order.is_lt(),
+            Tok::Punct(Punct::LessEqual) => order.is_le(),
+            Tok::Punct(Punct::Greater) => order.is_gt(),
+            Tok::Punct(Punct::GreaterEqual) => order.is_ge(),
+            Tok::Punct(Punct::Equal) => order.is_eq(),
+            _ => order.is_ne(),
+        })))
+    }
+
+    /// `+` and `-`: the level of every argument in the language.
+    pub(super) fn additive(&mut self) -> Result<Number> {
+        let mut left = self.multiplicative()?;
+        loop {
+            let token = self.peek()?;
+            match token.tok {
+                Tok::Punct(Punct::Plus) => {
+                    self.take(token)?;
+                    let right = self.multiplicative()?;
+                    left = left.with(right, |a, b| a + b);
+                }
+                Tok::Punct(Punct::Minus) => {
+                    self.take(token)?;
+                    let right = self.multiplicative()?;
+                    left = left.with(right, |a, b| a - b);
+                }
+                _ => return Ok(left),
+            }
+        }
+    }
+
+    fn multiplicative(&mut self) -> Result<Number> {
+        let mut left = self.unary()?;
+        loop {
+            let token = self.peek()?;
+            match token.tok {
+                Tok::Punct(Punct::Star) => {
+                    self.take(token)?;
+                    let right = self.unary()?;
+                    left = left.with(right, |a, b| a * b);
+                }
+                Tok::Punct(Punct::Slash) => {
+                    self.take(token)?;
+                    let right = self.unary()?;
+                    left = self.quotient(left, right, token.span);
+                }
+                _ => return Ok(left),
+            }
+        }
+    }
+
+    /// Division; by an exact 0 it gives infinity, with a warning.
+    fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
+        let n = left.len().max(right.len());
+        if right.filled(n)[..n].contains(&0.0) {
+            self.warn(Diagnostic::warning(span, "division by zero").with_label("the result is infinite"));
+        }
+        left.with(right, |a, b| if b == 0.0 { f64::INFINITY } else { a / b })
+    }
+
+    fn unary(&mut self) -> Result<Number> {
+        let token = self.peek_operand()?;
+        let op: fn(f64) -> f64 = match token.tok {
+            Tok::Punct(Punct::Minus) => |a| -a,
+            Tok::Punct(Punct::Plus) => |a| a,
+            Tok::Punct(Punct::Not) => |a| number(!truth(a)),
+            _ => return self.primary(token),
+        };
+        self.take(token)?;
+        self.deeper()?;
+        let value = self.unary()?.map(op);
+        self.shallower();
+        Ok(value)
+    }
+
+    fn primary(&mut self, token: Token) -> Result<Number> {
+        let value = match token.tok {
+            Tok::Number(v) => {
+                self.take(token)?;
+                return Ok(Scalar(v));
+            }
+            Tok::Identifier(name) => self.variable(name, token)?,
+            Tok::Punct(Punct::LeftParen) => {
+                self.take(token)?;
+                let value = self.full()?;
+                self.expect_punct(Punct::RightParen)?;
+                value
+            }
+            Tok::Punct(Punct::Less) => self.vector_literal(token)?,
+            Tok::Word(word) => match constant(word) {
+                Some(value) => {
+                    self.take(token)?;
+                    value
+                }
+                None => match self.numeric_word(word, token)? {
+                    Some(value) => value,
+                    None => return Err(self.unexpected("a number or a vector")),
+                },
+            },
+            _ => return Err(self.unexpected("a number or a vector")),
+        };
+        match value {
+            Scalar(_) => Ok(value),
+            Tuple(n, v) => self.member(n, v),
+        }
+    }
+
+    #[inline]
+    fn variable(&mut self, name: Symbol, token: Token) -> Result<Number> {
+        match self.symbols.value(name) {
+            Some(&Value::Float(v)) => {
+                self.take(token)?;
+                Ok(Scalar(v))
+            }
+            Some(&Value::Vector(n, v)) => {
+                self.take(token)?;
+                Ok(Tuple(n, v))
+            }
+            Some(_) => self.other_variable(token),
+            None => Err(self.unexpected("a number or a vector")),
+        }
+    }
+
+    /// A colour, an array's element, or a call of a function or spline.
+    fn other_variable(&mut self, token: Token) -> Result<Number> {
+        let Some(value) = self.peek_value()? else {
+            return Err(self.unexpected("a number or a vector"));
+        };
+        if let Value::Function(_) | Value::Spline(_) = value {
+            let call = self.take_value()?;
+            let result = self.call(&call)?;
+            return Number::from_value(&result).ok_or_else(|| self.wrong_kind(&result, token.span));
+        }
+        let number = Number::from_value(&value).ok_or_else(|| self.wrong_kind(&value, token.span))?;
+        self.take_value()?;
+        Ok(number)
+    }
+
+    fn wrong_kind(&self, value: &Value, span: Span) -> Box<Diagnostic> {
+        Box::new(Diagnostic::error(span, format!("expected a number or a vector, found a {}", value.kind())))
+    }
+
+    /// `<a, b [, c [, d [, e]]]>`.
+    fn vector_literal(&mut self, open: Token) -> Result<Number> {
+        self.take(open)?;
+        self.deeper()?;
+        let (mut n, mut v) = (0, [0.0; 5]);
+        while self.peek()?.tok != Tok::Punct(Punct::Greater) {
+            if n == 5 {
+                return Err(self.unexpected("`>`: a vector has at most 5 components"));
+            }
+            v[n] = self.float()?;
+            n += 1;
+            self.comma_in_list(Punct::Greater)?;
+        }
+        let close = self.next()?;
+        self.shallower();
+        if n < 2 {
+            let span = open.span.to(close.span);
+            return Err(Box::new(Diagnostic::error(span, "a vector has at least 2 components")));
+        }
+        Ok(Tuple(n as u8, v))
+    }
+
+    /// An optional comma, which must not end the list.
+    pub(super) fn comma_in_list(&mut self, close: Punct) -> Result<()> {
+        if self.accept_punct(Punct::Comma)? && self.peek()?.tok == Tok::Punct(close) {
+            return Err(self.unexpected("another item after the comma"));
+        }
+        Ok(())
+    }
+
+    /// `.x`, `.red` and so on behind a tuple.
+    fn member(&mut self, n: u8, v: [f64; 5]) -> Result<Number> {
+        if self.peek()?.tok != Tok::Punct(Punct::Dot) {
+            return Ok(Tuple(n, v));
+        }
+        self.next()?;
+        let token = self.peek()?;
+        let index = match token.tok {
+            Tok::Word(Keyword::X | Keyword::U | Keyword::Red) => 0,
+            Tok::Word(Keyword::Y | Keyword::V | Keyword::Green) => 1,
+            Tok::Word(Keyword::Z | Keyword::Blue) => 2,
+            Tok::Word(Keyword::T | Keyword::Filter) => 3,
+            Tok::Word(Keyword::Transmit) => 4,
+            Tok::Word(Keyword::Gray) => {
+                self.next()?;
+                let grey = (0..3).map(|i| v[i] * f64::from(GREY_WEIGHTS[i])).sum();
+                return Ok(Scalar(grey));
+            }
+            _ => return Err(self.unexpected("the name of a component")),
+        };
+        self.next()?;
+        if index >= n as usize {
+            let message = format!("this vector has only {n} components");
+            return Err(Box::new(Diagnostic::error(token.span, message)));
+        }
+        Ok(Scalar(v[index]))
+    }
+
+    /// Whether the next token can begin a colour or numeric expression.
+    pub fn at_expression(&mut self) -> Result<bool> {
+        use Punct::*;
+        Ok(match self.peek_operand()?.tok {
+            Tok::Number(_) => true,
+            Tok::Punct(p) => matches!(p, Less | LeftParen | Minus | Plus | Not),
+            Tok::Word(word) => constant(word).is_some() || is_numeric_word(word) || is_color_word(word),
+            Tok::Identifier(_) => match self.peek_value()? {
+                Some(Value::Float(_) | Value::Vector(..) | Value::Color(_)) => true,
+                Some(Value::Function(_) | Value::Spline(_)) => self.glance()? == Tok::Punct(LeftParen),
+                _ => false,
+            },
+            _ => false,
+        })
+    }
+
+    pub(super) fn at_color_word(&mut self) -> Result<bool> {
+        Ok(matches!(self.peek_operand()?.tok, Tok::Word(word) if is_color_word(word)))
+    }
+}
+
+pub(super) fn is_color_word(word: Keyword) -> bool {
+    use Keyword::*;
+    matches!(
+        word,
+        Color
+            | Rgb
+            | Rgbf
+            | Rgbt
+            | Rgbft
+            | Srgb
+            | Srgbf
+            | Srgbt
+            | Srgbft
+            | Red
+            | Green
+            | Blue
+            | Filter
+            | Transmit
+    )
+}
+
+/// Words that take no argument and never change.
+fn constant(word: Keyword) -> Option<Number> {
+    const fn unit(axis: usize, n: u8) -> Number {
+        let mut v = [0.0; 5];
+        v[axis] = 1.0;
+        Tuple(n, v)
+    }
+    Some(match word {
+        Keyword::X => unit(0, 3),
+        Keyword::Y => unit(1, 3),
+        Keyword::Z => unit(2, 3),
+        Keyword::U => unit(0, 2),
+        Keyword::V => unit(1, 2),
+        Keyword::T => unit(3, 4),
+        Keyword::True | Keyword::Yes | Keyword::On => Scalar(1.0),
+        Keyword::False | Keyword::No | Keyword::Off => Scalar(0.0),
+        Keyword::Pi => Scalar(std::f64::consts::PI),
+        _ => return None,
+    })
+}
+
+/// Words that begin a number or vector and take arguments, or whose value depends on the scene.
+fn is_numeric_word(word: Keyword) -> bool {
+    super::builtin::is_numeric(word)
+}
+
+fn comparison(tok: Tok) -> Option<fn(f64, f64) -> f64> {
+    let Tok::Punct(punct) = tok else { return None };
+    Some(match punct {
+        Punct::Less => |a, b| number(a < b),
+        Punct::Greater => |a, b| number(a > b),
+        Punct::LessEqual => |a, b| number(a < b || near(a, b)),
+        Punct::GreaterEqual => |a, b| number(a > b || near(a, b)),
+        Punct::Equal => |a, b| number(near(a, b)),
+        Punct::NotEqual => |a, b| number(!near(a, b)),
+        _ => return None,
+    })
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= TINY || a == b
+}

@@ -1,0 +1,36 @@
+//! `#default { … }`.
+
+use crate::interp::{Parser, Result};
+use crate::syntax::{Keyword, Punct};
+
+impl Parser {
+    /// The braces behind `#default`.
+    pub(in crate::interp) fn default_statement(&mut self) -> Result<()> {
+        self.expect_punct(Punct::LeftBrace)?;
+        while !self.accept_punct(Punct::RightBrace)? {
+            let token = self.peek()?;
+            if self.default_texture_item()? {
+                continue;
+            }
+            if token.tok == crate::syntax::Tok::Word(Keyword::Camera) {
+                self.scene.default_camera = self.camera_statement()?;
+            } else if self.accept(Keyword::Radiosity)? {
+                self.default_importance()?;
+            } else {
+                return Err(self.unexpected("a texture, pigment, normal, finish, camera or `}`"));
+            }
+        }
+        Ok(())
+    }
+
+    /// `{ importance f }`.
+    fn default_importance(&mut self) -> Result<()> {
+        let span = self.last_span();
+        self.expect_punct(Punct::LeftBrace)?;
+        while self.accept(Keyword::Importance)? {
+            self.float()?;
+            self.unsupported(span, "radiosity importance");
+        }
+        self.expect_punct(Punct::RightBrace).map(|_| ())
+    }
+}

@@ -1,0 +1,236 @@
+//! Where a file that a scene names is looked for.
+
+use super::options::IncludeMode;
+use super::{Parser, Result};
+use crate::source::{Diagnostic, Span};
+use std::path::{Component, Path, PathBuf};
+
+/// What a file is for; it decides the extensions that are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Scene,
+    Include,
+    /// Text read by `#fopen`, and whatever has no extension of its own.
+    Data,
+    Tga,
+    Png,
+    Ppm,
+    Pgm,
+    Gif,
+    Iff,
+    Jpeg,
+    Tiff,
+    Bmp,
+    Exr,
+    Hdr,
+    Pot,
+    Sys,
+    Df3,
+    Font,
+}
+
+impl Kind {
+    fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Kind::Scene => &[".pov", ".POV"],
+            Kind::Include => &[".inc", ".INC"],
+            Kind::Data | Kind::Sys => &[],
+            Kind::Tga => &[".tga", ".TGA"],
+            Kind::Png => &[".png", ".PNG"],
+            Kind::Ppm => &[".ppm", ".PPM"],
+            Kind::Pgm => &[".pgm", ".PGM"],
+            Kind::Gif => &[".gif", ".GIF"],
+            Kind::Iff => &[".iff", ".IFF"],
+            Kind::Jpeg => &[".jpg", ".JPG", ".jpeg", ".JPEG"],
+            Kind::Tiff => &[".tif", ".TIF", ".tiff", ".TIFF"],
+            Kind::Bmp => &[".bmp", ".BMP"],
+            Kind::Exr => &[".exr", ".EXR"],
+            Kind::Hdr => &[".hdr", ".HDR"],
+            Kind::Pot => &[".pot", ".POT"],
+            Kind::Df3 => &[".df3", ".DF3"],
+            Kind::Font => &[".ttf", ".TTF"],
+        }
+    }
+}
+
+/// Standard include files of an installed POV-Ray.
+const INSTALLED: &str = "/usr/share/povray-3.7/include";
+
+/// A file that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Found {
+    pub path: PathBuf,
+    /// Why the reference would not have found it, if so.
+    pub leniency: Option<&'static str>,
+}
+
+impl Parser {
+    /// The file that `name` means, by the reference's rules: its candidates in the working folder and in the
+    /// library paths. Failing that, beside the text that names it and beside the scene, then with slashes
+    /// for backslashes and without regard to case.
+    pub(super) fn find_file(&self, name: &str, kind: Kind) -> Option<Found> {
+        let strict = self.library_folders();
+        let beside = self.neighbour_folders();
+        let exact = |folders: &[PathBuf], name: &str| {
+            let all = candidates(name, kind);
+            all.iter().find_map(|candidate| in_folders(folders, candidate))
+        };
+        if let Some(path) = exact(&strict, name) {
+            return Some(Found { path, leniency: None });
+        }
+        if let Some(path) = exact(&beside, name) {
+            return Some(Found {
+                path,
+                leniency: Some("it stands beside the scene, not in the working folder"),
+            });
+        }
+        let slashed = name.replace('\\', "/");
+        let folders: Vec<PathBuf> = strict.into_iter().chain(beside).collect();
+        if slashed != name
+            && let Some(path) = exact(&folders, &slashed)
+        {
+            return Some(Found { path, leniency: Some("backslashes were read as slashes") });
+        }
+        let path = candidates(&slashed, kind).iter().find_map(|c| without_case(&folders, c))?;
+        Some(Found { path, leniency: Some("capitals and small letters differ") })
+    }
+
+    /// The file that `name` means, with a warning if the reference would not find it, or the error.
+    pub(crate) fn require_file(&mut self, name: &str, kind: Kind, span: Span) -> Result<PathBuf> {
+        match self.find_file(name, kind) {
+            Some(found) => {
+                self.warn_leniency(&found, name, span);
+                Ok(found.path)
+            }
+            None => Err(self.no_such_file(name, span)),
+        }
+    }
+
+    pub(super) fn warn_leniency(&mut self, found: &Found, name: &str, span: Span) {
+        if let Some(why) = found.leniency {
+            let message = format!("`{name}` is taken to be {}: {why}", found.path.display());
+            self.warn(Diagnostic::warning(span, message));
+        }
+    }
+
+    pub(super) fn no_such_file(&self, name: &str, span: Span) -> Box<Diagnostic> {
+        let folders: Vec<String> =
+            self.library_folders().iter().skip(1).map(|f| f.display().to_string()).collect();
+        let hint = match folders.is_empty() {
+            true => "looked in the working folder and beside the scene; name more folders with +L".to_owned(),
+            false => format!("looked in the working folder, {} and beside the scene", folders.join(", ")),
+        };
+        Box::new(Diagnostic::error(span, format!("cannot find the file `{name}`")).with_hint(hint))
+    }
+
+    /// The working folder, the library paths and the installed include files.
+    fn library_folders(&self) -> Vec<PathBuf> {
+        let mut folders = vec![PathBuf::new()];
+        folders.extend(self.options.library_paths.iter().cloned());
+        if self.options.includes != IncludeMode::Embedded && Path::new(INSTALLED).is_dir() {
+            folders.push(PathBuf::from(INSTALLED));
+        }
+        folders
+    }
+
+    /// The folders of the text being read and of the texts that include it.
+    fn neighbour_folders(&self) -> Vec<PathBuf> {
+        let mut folders: Vec<PathBuf> = Vec::new();
+        for frame in self.frames.iter().rev() {
+            let path = frame.file_id().and_then(|id| self.files.path(id));
+            if let Some(folder) = path.and_then(|p| p.parent())
+                && folders.last().is_none_or(|last| last != folder)
+            {
+                folders.push(folder.to_owned());
+            }
+        }
+        folders
+    }
+
+    /// Whether a text file may be opened at that path: below the working folder or the scene's, and for
+    /// reading below a library path too.
+    pub(super) fn may_open(&self, path: &Path, writing: bool) -> bool {
+        let Some(target) = absolute(path) else { return false };
+        let mut roots = vec![PathBuf::new()];
+        roots.extend(self.neighbour_folders().pop());
+        if !writing {
+            roots.extend(self.library_folders().into_iter().skip(1));
+        }
+        roots.iter().filter_map(|r| absolute(r)).any(|root| target.starts_with(root))
+    }
+}
+
+/// The names to try, in order.
+fn candidates(name: &str, kind: Kind) -> Vec<String> {
+    let extensions = kind.extensions();
+    let complete = extensions.iter().any(|e| name.ends_with(e));
+    let mut all = Vec::with_capacity(extensions.len() + 1);
+    if complete {
+        all.push(name.to_owned());
+    }
+    all.extend(extensions.iter().map(|e| format!("{name}{e}")));
+    if !complete {
+        all.push(name.to_owned());
+    }
+    all
+}
+
+fn in_folders(folders: &[PathBuf], name: &str) -> Option<PathBuf> {
+    folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file())
+}
+
+/// As [`in_folders`], but every part of the name may differ in case.
+fn without_case(folders: &[PathBuf], name: &str) -> Option<PathBuf> {
+    let name = Path::new(name);
+    if name.is_absolute() {
+        return None;
+    }
+    folders.iter().find_map(|folder| {
+        let mut path = folder.clone();
+        for part in name.components() {
+            path = match part {
+                Component::Normal(part) => same_letters(&path, &part.to_string_lossy())?,
+                other => path.join(other),
+            };
+        }
+        path.is_file().then_some(path)
+    })
+}
+
+fn same_letters(folder: &Path, part: &str) -> Option<PathBuf> {
+    let listed = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let mut names: Vec<String> = std::fs::read_dir(listed)
+        .ok()?
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| name.eq_ignore_ascii_case(part))
+        .collect();
+    names.sort();
+    Some(folder.join(names.into_iter().next()?))
+}
+
+/// The path with links followed as far as it exists, and no `..` behind that.
+fn absolute(path: &Path) -> Option<PathBuf> {
+    let path = std::path::absolute(path).ok()?;
+    let existing = path.ancestors().find(|p| p.exists())?;
+    let rest = path.strip_prefix(existing).ok()?;
+    if rest.components().any(|c| !matches!(c, Component::Normal(_))) {
+        return None;
+    }
+    Some(existing.canonicalize().ok()?.join(rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extensions_are_tried_before_the_bare_name() {
+        assert_eq!(candidates("colors", Kind::Include), ["colors.inc", "colors.INC", "colors"]);
+        assert_eq!(
+            candidates("colors.inc", Kind::Include),
+            ["colors.inc", "colors.inc.inc", "colors.inc.INC"]
+        );
+        assert_eq!(candidates("data.txt", Kind::Data), ["data.txt"]);
+        assert_eq!(candidates("a.gif", Kind::Png), ["a.gif.png", "a.gif.PNG", "a.gif"]);
+    }
+}

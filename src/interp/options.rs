@@ -1,0 +1,111 @@
+use std::path::PathBuf;
+
+/// Where a scene's text comes from.
+#[derive(Clone, Debug)]
+pub enum SceneSource {
+    Path(PathBuf),
+    /// A text already at hand, with the name that diagnostics show.
+    Text {
+        name: String,
+        text: Vec<u8>,
+    },
+}
+
+/// Which standard include files are used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum IncludeMode {
+    /// Those of an installed POV-Ray if there is one, else the embedded ones.
+    #[default]
+    Auto,
+    Embedded,
+    Installed,
+}
+
+/// What the command line says about reading a scene.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Folders searched for files, in order.
+    pub library_paths: Vec<PathBuf>,
+    pub includes: IncludeMode,
+    /// A file read before the scene.
+    pub include_header: Option<PathBuf>,
+    /// `Declare=NAME=VALUE`: variables set before the scene.
+    pub declares: Vec<(String, f64)>,
+    pub declared_strings: Vec<(String, String)>,
+    /// The language version to start with, times 100; it counts as declared.
+    pub start_version: Option<u32>,
+    pub frame: Frame,
+    pub image_width: u32,
+    pub image_height: u32,
+    /// Whether the picture will have an alpha channel.
+    pub output_alpha: bool,
+    /// Turn warnings about what the reference would refuse into errors.
+    pub strict: bool,
+    pub limits: Limits,
+}
+
+/// Which frame of an animation is read; all 0 for a still picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    pub clock: f32,
+    /// Whether a clock or an animation was asked for.
+    pub clock_on: bool,
+    pub number: u32,
+    pub initial: u32,
+    pub last: u32,
+    pub initial_clock: f64,
+    pub final_clock: f64,
+    pub clock_delta: f64,
+}
+
+/// How far a scene may go before it is refused.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Files open at once, the main one included.
+    pub open_files: usize,
+    /// Symbol tables at once: two fixed ones, one per open include and one per macro call.
+    pub symbol_tables: usize,
+    /// Open conditionals, loops and macro calls.
+    pub blocks: usize,
+    /// Braces, parentheses and brackets within each other.
+    pub nesting: usize,
+    /// Tokens of one loop or macro body.
+    pub kept_tokens: usize,
+    /// Passes of loops and calls of macros in all.
+    pub passes: u64,
+    /// Elements of one array.
+    pub array_elements: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            open_files: 32,
+            symbol_tables: 100,
+            blocks: 200,
+            nesting: 1000,
+            kept_tokens: 100_000_000,
+            passes: 1_000_000_000_000,
+            array_elements: 100_000_000,
+        }
+    }
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            library_paths: Vec::new(),
+            includes: IncludeMode::Auto,
+            include_header: None,
+            declares: Vec::new(),
+            declared_strings: Vec::new(),
+            start_version: None,
+            frame: Frame::default(),
+            image_width: 160,
+            image_height: 120,
+            output_alpha: false,
+            strict: false,
+            limits: Limits::default(),
+        }
+    }
+}
