@@ -5,12 +5,15 @@
 
 mod cylinder;
 mod fisheye;
+mod lens;
 mod omnimax;
 mod orthographic;
 mod panoramic;
 mod perspective;
 mod spherical;
 mod ultra_wide;
+
+pub use lens::Lens;
 
 use crate::material::{Normal, Pigment};
 use crate::math::{Ray, Transform, Vec3};

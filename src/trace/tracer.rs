@@ -4,10 +4,12 @@ use super::random::Random;
 use super::shade::Onward;
 use super::sky::{self, Leaving};
 use super::{Counters, Pixel, Settings, rainbow};
+use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
 use crate::pattern::Context;
 use crate::world::{Hit, InteriorId, RayClass, World};
+use std::sync::Arc;
 
 /// Stands for the length of a ray that meets nothing.
 const FAR: f64 = 2e10;
@@ -27,6 +29,7 @@ pub struct Tracer<'w> {
     /// Rules since version 3.7.
     pub(super) modern: bool,
     pub(super) context: Context<'static>,
+    lens: Option<Arc<Lens>>,
     /// What the camera stands in, once found; for cameras with one viewpoint.
     camera_inside: Option<Interiors>,
     /// Every medium, those of one interior side by side; last those of the atmosphere.
@@ -85,6 +88,7 @@ impl<'w> Tracer<'w> {
             max_level: settings.max_trace_level.unwrap_or(globals.max_trace_level).clamp(1, 256),
             modern: globals.effective_version >= 370,
             context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
+            lens: None,
             camera_inside: None,
             media: Vec::new(),
             media_of: Vec::new(),
@@ -92,6 +96,7 @@ impl<'w> Tracer<'w> {
             lit: Vec::new(),
             lamps: Vec::new(),
         };
+        tracer.lens = Lens::new(&world.scene.camera, &tracer.context).map(Arc::new);
         if tracer.needs.media || tracer.needs.atmosphere {
             tracer.list_media();
         }
@@ -119,13 +124,39 @@ impl<'w> Tracer<'w> {
     /// runs down.
     pub fn pixel(&mut self, x: f64, y: f64) -> Pixel {
         let size = (f64::from(self.settings.width), f64::from(self.settings.height));
-        match self.world.scene.camera.ray(x, y, size, &self.context) {
-            Some(ray) => {
-                let seen = self.camera_ray(ray);
-                Pixel { rgb: seen.rgb, transmit: seen.transmit }
-            }
-            None => Pixel { rgb: Rgb::ZERO, transmit: 1.0 },
+        match self.lens.clone() {
+            Some(lens) => self.blurred(&lens, (x, y), size),
+            None => self.seen_along(self.world.scene.camera.ray(x, y, size, &self.context)),
         }
+    }
+
+    /// The mean over rays from all over the lens.
+    fn blurred(&mut self, lens: &Lens, place: (f64, f64), size: (f64, f64)) -> Pixel {
+        let camera = &self.world.scene.camera;
+        let (mut sums, mut squares) = ([0.0; 4], [0.0; 4]);
+        let mut n = 0;
+        for &end in lens.batches() {
+            while n < end {
+                let seen = self.seen_along(lens.ray(camera, n, place, size, &self.context));
+                let channels = [seen.rgb.x, seen.rgb.y, seen.rgb.z, seen.transmit];
+                for (i, c) in channels.into_iter().enumerate() {
+                    sums[i] += c;
+                    squares[i] += c * c;
+                }
+                n += 1;
+            }
+            if lens.is_enough(n, &sums, &squares) {
+                break;
+            }
+        }
+        let [r, g, b, transmit] = sums.map(|s| s / n as f32);
+        Pixel { rgb: Rgb::new(r, g, b), transmit }
+    }
+
+    fn seen_along(&mut self, ray: Option<Ray>) -> Pixel {
+        let nothing = Radiance { rgb: Rgb::ZERO, transmit: 1.0 };
+        let seen = ray.map_or(nothing, |ray| self.camera_ray(ray));
+        Pixel { rgb: seen.rgb, transmit: seen.transmit }
     }
 
     fn camera_ray(&mut self, ray: Ray) -> Radiance {
