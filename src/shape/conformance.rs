@@ -33,6 +33,7 @@ fn subjects() -> Vec<Subject> {
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.0, v(0.7, 1.6, 0.4), 0.85, false).unwrap()),
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.6, v(0.7, 1.6, 0.4), -0.45, false).unwrap()),
         solid(Torus::new(1.4, 0.45)),
+        Subject { outward: false, ..solid(closed_mesh()) },
         surface(Torus::new(0.5, 0.8)),
         surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),
         surface(Triangle::new(v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)).unwrap()),
@@ -57,6 +58,21 @@ fn subjects() -> Vec<Subject> {
     ]
 }
 
+/// An irregular octahedron with an inside.
+fn closed_mesh() -> Mesh {
+    let vertices = vec![
+        [1.7, 0.1, -0.2],
+        [-1.3, 0.3, 0.1],
+        [0.2, 1.4, -0.3],
+        [-0.1, -0.9, 0.4],
+        [0.3, 0.2, 1.9],
+        [-0.2, 0.1, -1.2],
+    ];
+    let faces = (0..8).map(|i| [i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2)]).collect();
+    let inside_vector = Some(Vec3::new(0.1, 0.2, 1.0));
+    MeshBuilder { vertices, faces, inside_vector, kind: "mesh", ..Default::default() }.build()
+}
+
 fn placements() -> [Transform; 2] {
     let moved = Transform::rotate(Vec3::new(17.0, 40.0, -63.0))
         .then(&Transform::scale(Vec3::new(1.7, 0.4, 2.3)))
@@ -66,21 +82,25 @@ fn placements() -> [Transform; 2] {
 }
 
 /// Marsaglia's xorshift; the same numbers in every run.
-struct Random(u64);
+pub(super) struct Random(u64);
 
 impl Random {
-    fn unit(&mut self) -> f64 {
+    pub fn new(seed: u64) -> Self {
+        Self(0x9E37_79B9_7F4A_7C15 ^ seed << 20)
+    }
+
+    pub fn unit(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn in_box(&mut self, b: &Aabb) -> Vec3 {
+    pub fn in_box(&mut self, b: &Aabb) -> Vec3 {
         b.min + b.size() * Vec3::new(self.unit(), self.unit(), self.unit())
     }
 
-    fn direction(&mut self) -> Vec3 {
+    pub fn direction(&mut self) -> Vec3 {
         loop {
             let v = self.in_box(&Aabb::new(Vec3::NEG_ONE, Vec3::ONE));
             if v.length() > 0.1 && v.length() <= 1.0 {
@@ -112,7 +132,7 @@ fn rays(shape: &dyn Shape, random: &mut Random) -> Vec<Ray> {
 fn on_every_ray(mut check: impl FnMut(&Subject, &Ray, &mut Vec<Crossing>)) {
     for subject in subjects() {
         let shape = &*subject.shape;
-        let mut random = Random(0x9E37_79B9_7F4A_7C15);
+        let mut random = Random::new(1);
         for place in placements() {
             for local in rays(shape, &mut random) {
                 let world = Ray::new(place.point(local.origin), place.vector(local.dir).normalize());
@@ -213,7 +233,7 @@ fn normals_are_unit_vectors_and_point_outward() {
 
 #[test]
 fn a_ray_that_leaves_does_not_meet_its_own_start() {
-    let mut random = Random(77);
+    let mut random = Random::new(77);
     on_every_ray(|s, ray, found| {
         for c in found.iter() {
             let (p, error) = s.shape.locate(ray, c);

@@ -63,6 +63,19 @@ impl Shear {
     }
 }
 
+impl Shear {
+    /// Whether the ray passes inside, each edge counting for only one of the two triangles beside it.
+    pub fn passes_once(&self, corners: [Vec3; 3]) -> bool {
+        let [a, b, c] = corners.map(|p| self.project(p));
+        let turn = (b - a).perp_dot(c - a).signum();
+        [(b, c), (c, a), (a, b)].into_iter().all(|(from, to)| {
+            let side = turn * from.perp_dot(to);
+            let along = turn * (to - from);
+            side > 0.0 || (side == 0.0 && (along.y > 0.0 || (along.y == 0.0 && along.x < 0.0)))
+        })
+    }
+}
+
 impl Triangle {
     /// `None` if the corners lie on one line.
     pub fn new(a: Vec3, b: Vec3, c: Vec3) -> Option<Self> {
