@@ -40,9 +40,7 @@ impl Bvh {
             return Bvh { nodes: Vec::new(), order: Vec::new(), bounds, center: Vec3::ZERO, scale: 1.0 };
         }
         let bulk = Bulk::of(boxes, &usable);
-        let reach = (bounds.max - bulk.center).max(bulk.center - bounds.min).max_element();
-        let frame =
-            Frame { center: bulk.center, scale: power_of_two_below(1.0 / reach.max(f64::MIN_POSITIVE)) };
+        let frame = Frame::around(&bulk, &bounds);
         let mut wide = Collapse { nodes: Vec::new(), order: Vec::with_capacity(usable.len()) };
         let (inner, outer): (Vec<u32>, Vec<u32>) =
             usable.iter().partition(|&&i| bulk.holds(&boxes[i as usize]));
@@ -57,14 +55,14 @@ impl Bvh {
 }
 
 /// Where most of the boxes are.
-struct Bulk {
+pub(super) struct Bulk {
     center: Vec3,
     spread: Vec3,
 }
 
 impl Bulk {
     /// Medians and quartiles per axis, from at most a few thousand boxes evenly picked.
-    fn of(boxes: &[Aabb], usable: &[u32]) -> Bulk {
+    pub fn of(boxes: &[Aabb], usable: &[u32]) -> Bulk {
         let step = usable.len().div_ceil(4096);
         let picked: Vec<&Aabb> = usable.iter().step_by(step).map(|&i| &boxes[i as usize]).collect();
         let mut center = Vec3::ZERO;
@@ -88,13 +86,18 @@ impl Bulk {
 }
 
 /// The tree's own coordinates.
-struct Frame {
-    center: Vec3,
-    scale: f64,
+pub(super) struct Frame {
+    pub center: Vec3,
+    pub scale: f64,
 }
 
 impl Frame {
-    fn single(&self, b: &Aabb) -> obvhs::aabb::Aabb {
+    pub fn around(bulk: &Bulk, bounds: &Aabb) -> Frame {
+        let reach = (bounds.max - bulk.center).max(bulk.center - bounds.min).max_element();
+        Frame { center: bulk.center, scale: power_of_two_below(1.0 / reach.max(f64::MIN_POSITIVE)) }
+    }
+
+    pub fn single(&self, b: &Aabb) -> obvhs::aabb::Aabb {
         let (lo, hi) = ((b.min - self.center) * self.scale, (b.max - self.center) * self.scale);
         // The subtraction's own rounding: half an ulp of the larger operand.
         let slack = |v: f64, c: f64| (v.abs() + c.abs()) * f64::EPSILON * self.scale;
@@ -109,18 +112,18 @@ impl Frame {
 }
 
 /// Binary trees turned into wide nodes.
-struct Collapse {
-    nodes: Vec<Node>,
-    order: Vec<u32>,
+pub(super) struct Collapse {
+    pub nodes: Vec<Node>,
+    pub order: Vec<u32>,
 }
 
 /// A node of one of the binary trees: the outer one, or the bulk's inside it.
 #[derive(Clone, Copy)]
-struct Place<'a> {
-    tree: &'a Bvh2,
+pub(super) struct Place<'a> {
+    pub tree: &'a Bvh2,
     /// Primitive numbers of the tree's boxes; the bulk stands in the outer tree as `u32::MAX`.
-    numbers: &'a [u32],
-    node: usize,
+    pub numbers: &'a [u32],
+    pub node: usize,
 }
 
 impl<'a> Place<'a> {
@@ -172,7 +175,7 @@ impl Collapse {
     }
 
     /// Wide nodes for everything below `root`, which becomes node 0.
-    fn collapse(&mut self, root: Place, graft: Option<Place>) {
+    pub fn collapse(&mut self, root: Place, graft: Option<Place>) {
         self.nodes.push(Node::EMPTY);
         let mut todo = vec![(root, 0usize)];
         let mut children: Vec<Place> = Vec::with_capacity(WIDTH);
@@ -243,7 +246,7 @@ fn widen<'a>(children: &mut Vec<Place<'a>>, graft: Option<Place<'a>>) {
     }
 }
 
-fn binary_tree(boxes: &[obvhs::aabb::Aabb], quality: Quality) -> Bvh2 {
+pub(super) fn binary_tree(boxes: &[obvhs::aabb::Aabb], quality: Quality) -> Bvh2 {
     build_bvh2(boxes, quality.parameters(), &mut Duration::default())
 }
 

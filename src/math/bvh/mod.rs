@@ -12,6 +12,7 @@
 //! Traversal", 2013.
 
 mod build;
+mod chunks;
 mod traverse;
 
 use super::{Aabb, Vec3};

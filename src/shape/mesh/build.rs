@@ -52,10 +52,8 @@ impl<T: Hash + Eq> Merged<T> {
 impl MeshBuilder {
     /// The finished mesh. Every index must be in its list. Faces without area are never hit and left out.
     pub fn build(mut self) -> Mesh {
-        let mut tree = {
-            let boxes: Vec<Aabb> = self.faces.iter().map(|&f| self.face_bounds(f)).collect();
-            Bvh::build(&boxes, Quality::Fast)
-        };
+        let bounds = |i: u32| self.face_bounds(self.faces[i as usize]);
+        let mut tree = Bvh::build_from(self.faces.len(), bounds, Quality::Fast);
         self.vertices.shrink_to_fit();
         self.normals.shrink_to_fit();
         self.uvs.shrink_to_fit();
