@@ -57,6 +57,7 @@ fn thresholds(media: &Media) -> Vec<f32> {
 /// A light whose beam crosses the stretch.
 pub(super) struct Beam<'w> {
     source: &'w WorldLight,
+    /// Where it begins and ends on the ray's line.
     from: f64,
     to: f64,
 }
@@ -79,7 +80,8 @@ impl Stretch<'_, '_> {
 
     /// The lit parts, sorted and merged.
     pub fn lit_parts(&self) -> SmallVec<[(f64, f64); 4]> {
-        let mut parts: SmallVec<[(f64, f64); 4]> = self.beams.iter().map(|b| (b.from, b.to)).collect();
+        let mut parts: SmallVec<[(f64, f64); 4]> =
+            self.beams.iter().map(|b| (b.from.max(0.0), b.to.min(self.length))).collect();
         parts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut merged: SmallVec<[(f64, f64); 4]> = SmallVec::new();
         for part in parts {
@@ -178,8 +180,7 @@ impl<'w> Tracer<'w> {
                 return None;
             }
             let (from, to) = light.section(ray)?;
-            let (from, to) = (from.max(0.0), to.min(length));
-            (from < to).then_some(Beam { source, from, to })
+            (from.max(0.0) < to.min(length)).then_some(Beam { source, from, to })
         };
         global.iter().chain(group).filter_map(beam).collect()
     }

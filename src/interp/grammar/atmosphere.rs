@@ -123,7 +123,8 @@ impl Parser {
     fn rainbow_item(&mut self, rainbow: &mut Rainbow) -> Result<()> {
         let token = self.peek()?;
         let Tok::Word(word) = token.tok else { return Err(self.unexpected("a rainbow item or `}`")) };
-        if matches!(word, Keyword::ColorMap) {
+        if word == Keyword::ColorMap {
+            self.next()?;
             rainbow.colors = self.color_map()?;
             return Ok(());
         }
