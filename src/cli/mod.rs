@@ -1,1 +1,74 @@
 //! The command line: the only room that prints.
+
+mod args;
+mod check;
+mod clock;
+mod compare;
+mod crosscheck;
+pub mod diagnostic;
+mod exit;
+mod golden;
+mod interrupt;
+mod json;
+mod output;
+mod progress;
+mod render;
+mod scene;
+mod stack;
+mod syntax;
+
+use args::{Cli, Command};
+use clap::{CommandFactory, Parser};
+use exit::{Exit, Failure};
+use std::ffi::OsString;
+use syntax::Syntax;
+
+/// Carries out a command line (the program's name first) and gives the process's exit code.
+pub fn run(words: Vec<OsString>) -> u8 {
+    let result = match syntax::of(&words) {
+        Ok(Syntax::Glint(words)) => glint(words),
+        Ok(Syntax::Povray(_)) => {
+            Err(Failure::usage("POV-Ray's command-line syntax is not available yet; see glint --help"))
+        }
+        Err(failure) => Err(failure),
+    };
+    let exit = result.unwrap_or_else(|failure| {
+        complain(&failure);
+        failure.exit
+    });
+    exit.code()
+}
+
+fn glint(words: Vec<OsString>) -> Result<Exit, Failure> {
+    let cli = match Cli::try_parse_from(words) {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version go to standard output and are no errors.
+            let _ = error.print();
+            return Ok(if error.use_stderr() { Exit::Usage } else { Exit::Done });
+        }
+    };
+    match cli.command {
+        Command::Render(args) => render::run(&args),
+        Command::Check(args) => check::run(&args),
+        Command::Crosscheck(args) => crosscheck::run(&args),
+        Command::Golden(command) => golden::run(&command),
+        Command::Compare(args) => compare::run(&args),
+        Command::Completions(args) => {
+            clap_complete::generate(args.shell, &mut Cli::command(), "glint", &mut std::io::stdout());
+            Ok(Exit::Done)
+        }
+        _ => Err(Failure::usage("this command is not available yet")),
+    }
+}
+
+/// Says what went wrong, if nobody has yet.
+fn complain(failure: &Failure) {
+    if failure.reported {
+        return;
+    }
+    match failure.exit {
+        Exit::Interrupted => eprintln!("{failure}"),
+        _ => eprintln!("error: {failure}"),
+    }
+}

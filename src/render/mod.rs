@@ -7,6 +7,7 @@ mod antialias;
 mod block;
 mod grid;
 mod recursive;
+mod sampler;
 
 pub use antialias::{Antialias, Method};
 pub use block::{Block, blocks};

@@ -1,0 +1,334 @@
+//! What was typed.
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  glint scene.pov                        render to scene.png in the current folder
+  glint render scene.pov -W 1920 -H 1080 -A -o big.png
+  glint check --json scene.pov           parse and prepare only
+  glint compare a.png b.png --diff d.png
+  glint crosscheck scenes/ --report report.html
+
+Exit codes: 0 done, 1 a scene was wrong or a comparison fell short, 2 usage, 3 a file or a needed
+program cannot be read, written or found, 130 after Ctrl-C.
+
+Words that begin with `+`, .ini files, `glint pov …` or a link named `povray` switch to POV-Ray's
+command-line syntax.";
+
+/// A batch ray tracer driven by POV-Ray's scene language
+#[derive(Parser, Debug)]
+#[command(name = "glint", version, after_help = EXAMPLES, max_term_width = 100)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Render scenes to pictures (the default command)
+    Render(RenderArgs),
+    /// Parse and prepare scenes without rendering them
+    Check(CheckArgs),
+    /// Say what a scene required and what was built for it
+    Explain(ExplainArgs),
+    /// Measure how far two pictures are apart
+    Compare(CompareArgs),
+    /// Render scenes with POV-Ray and with Glint and compare the pictures
+    Crosscheck(CrosscheckArgs),
+    /// Compare the project's scenes with their stored pictures
+    #[command(subcommand)]
+    Golden(GoldenCommand),
+    /// Print a shell's completion script
+    Completions(CompletionsArgs),
+}
+
+/// The names of all subcommands, for telling `glint SCENE` from `glint COMMAND`.
+pub const COMMANDS: &[&str] =
+    &["render", "check", "explain", "compare", "crosscheck", "golden", "completions", "help"];
+
+/// How scene text is found and read.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SceneArgs {
+    /// A folder in which included files are looked for; may be repeated
+    #[arg(short = 'L', long = "library", value_name = "DIR")]
+    pub library: Vec<PathBuf>,
+    /// Declare a number before the scene begins; may be repeated
+    #[arg(short = 'D', long = "declare", value_name = "NAME=VALUE")]
+    pub declare: Vec<String>,
+    /// The value of `clock`
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub clock: f64,
+    /// Where standard include files come from
+    #[arg(long, value_enum, default_value_t, value_name = "SOURCE")]
+    pub includes: Includes,
+    /// Treat features that are not rendered yet as errors
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Where standard include files come from.
+#[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Includes {
+    /// POV-Ray's own if they are installed, else the embedded ones
+    #[default]
+    Auto,
+    /// Only the embedded ones
+    Embedded,
+    /// Only POV-Ray's own
+    Installed,
+}
+
+/// The picture's size and how finely it is sampled.
+#[derive(Args, Clone, Debug)]
+pub struct PictureArgs {
+    /// Width of the picture
+    #[arg(short = 'W', long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub width: Option<u32>,
+    /// Height of the picture
+    #[arg(short = 'H', long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub height: Option<u32>,
+    /// Anti-aliasing, from this difference of neighbours on [default threshold: 0.3]
+    #[arg(
+        short = 'A',
+        long = "antialias",
+        value_name = "THRESHOLD",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "0.3"
+    )]
+    pub antialias: Option<f32>,
+    /// 1 divides pixels by a fixed grid, 2 in quarters of quarters
+    #[arg(long, value_name = "1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
+    pub aa_method: u8,
+    /// Samples along a pixel's side (method 1), or levels of division (method 2)
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=9))]
+    pub aa_depth: u32,
+    /// Shake anti-aliasing samples
+    #[arg(long, value_name = "on|off", default_value = "on", value_parser = PossibleValuesParser::new(["on", "off"]))]
+    pub jitter: String,
+    /// 0 (flat colours) to 11 (everything)
+    #[arg(long, value_name = "0..11", default_value_t = 11, value_parser = clap::value_parser!(u8).range(0..=11))]
+    pub quality: u8,
+    /// Threads that trace [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+/// Columns and rows `x0, y0, x1, y1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Corners(pub [u32; 4]);
+
+fn corners(text: &str) -> Result<Corners, String> {
+    let numbers: Result<Vec<u32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    let four = numbers.ok().and_then(|n| n.try_into().ok());
+    four.map(Corners).ok_or_else(|| "expected four whole numbers: x0,y0,x1,y1".to_owned())
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct RenderArgs {
+    /// Scene files; `-` reads a scene from standard input
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// The picture: a .png or .exr file, a folder, or `-` for a PNG on standard output
+    /// [default: the scene's base name with .png in the current folder]
+    #[arg(short = 'o', long, value_name = "FILE", verbatim_doc_comment)]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArgs,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Trace only columns x0 to x1-1 of rows y0 to y1-1, counted from 0 at the upper left; the picture
+    /// keeps its size
+    #[arg(long, value_name = "x0,y0,x1,y1", value_parser = corners)]
+    pub region: Option<Corners>,
+    /// Write an alpha channel
+    #[arg(long)]
+    pub alpha: bool,
+    /// Bits of a channel in a PNG file
+    #[arg(long, value_name = "8|16", default_value = "8", value_parser = PossibleValuesParser::new(["8", "16"]))]
+    pub bits: String,
+    /// Also write the unfinished picture every few seconds
+    #[arg(long)]
+    pub partial: bool,
+    /// Print one JSON object a scene
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors
+    #[arg(long, short = 'q')]
+    pub quiet: bool,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct CheckArgs {
+    /// Scene files; `-` reads a scene from standard input
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The width that the scene is told
+    #[arg(short = 'W', long, value_name = "PIXELS", default_value_t = 640, value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub width: u32,
+    /// The height that the scene is told
+    #[arg(short = 'H', long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub height: u32,
+    /// Print one JSON object a scene
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors
+    #[arg(long, short = 'q')]
+    pub quiet: bool,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct ExplainArgs {
+    /// A scene file; `-` reads a scene from standard input
+    #[arg(value_name = "SCENE")]
+    pub scene_file: PathBuf,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Print a JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct CompareArgs {
+    /// A picture
+    pub a: PathBuf,
+    /// The picture that it is compared with
+    pub b: PathBuf,
+    /// Write the absolute difference, brightened 8 times
+    #[arg(long, value_name = "PNG")]
+    pub diff: Option<PathBuf>,
+    /// Exit with 1 below this peak signal-to-noise ratio, in decibels
+    #[arg(long, value_name = "DB")]
+    pub min_psnr: Option<f64>,
+    /// Print a JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct CrosscheckArgs {
+    /// Scene files, and folders that are searched for them
+    #[arg(required = true, value_name = "FILE|DIR")]
+    pub paths: Vec<PathBuf>,
+    /// Take scenes from a list, one path a line, relative to the folder given
+    #[arg(long, value_name = "FILE")]
+    pub list: Option<PathBuf>,
+    /// The POV-Ray program
+    #[arg(long, value_name = "PATH", default_value = "povray")]
+    pub povray: PathBuf,
+    /// Use the pictures of this folder (a scene's relative path with .png) instead of running POV-Ray
+    #[arg(long, value_name = "DIR")]
+    pub reference: Option<PathBuf>,
+    /// A scene matches from this peak signal-to-noise ratio on, in decibels
+    #[arg(long, value_name = "DB", default_value_t = 38.0)]
+    pub min_psnr: f64,
+    /// Exit with 1 if fewer scenes match
+    #[arg(long, value_name = "N")]
+    pub min_match: Option<usize>,
+    /// Write a self-contained HTML report
+    #[arg(long, value_name = "HTML")]
+    pub report: Option<PathBuf>,
+    /// Print a JSON object
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub picture: PictureArgs,
+    /// A folder in which both programs look for included files; may be repeated
+    #[arg(short = 'L', long = "library", value_name = "DIR")]
+    pub library: Vec<PathBuf>,
+    /// Seconds that Glint may take for a scene
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    pub timeout: f64,
+    /// Seconds that POV-Ray may take for a scene
+    #[arg(long, value_name = "SECONDS", default_value_t = 300.0)]
+    pub povray_timeout: f64,
+    /// Scenes rendered at a time [default: one per core]
+    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Where POV-Ray's pictures are kept [default: the user's cache folder]
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    /// Run POV-Ray for every scene
+    #[arg(long)]
+    pub no_cache: bool,
+    /// Keep Glint's pictures in this folder
+    #[arg(long, value_name = "DIR")]
+    pub keep: Option<PathBuf>,
+    /// Say nothing but errors
+    #[arg(long, short = 'q')]
+    pub quiet: bool,
+}
+
+#[derive(Subcommand, Clone, Debug)]
+pub enum GoldenCommand {
+    /// Compare with the pictures that Glint made earlier
+    Check(GoldenArgs),
+    /// Replace the stored pictures by new ones; always exits with 1
+    Bless(GoldenArgs),
+    /// Make POV-Ray's pictures of the scenes anew
+    Reference(GoldenArgs),
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct GoldenArgs {
+    /// Scenes by their path with or without .pov, or a folder of them [default: all]
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+    /// The project's folder [default: the nearest one above that has `reference-images`]
+    #[arg(long, value_name = "DIR")]
+    pub root: Option<PathBuf>,
+    /// The POV-Ray program
+    #[arg(long, value_name = "PATH", default_value = "povray")]
+    pub povray: PathBuf,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct CompletionsArgs {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn all_commands_are_known_by_name() {
+        let names: Vec<_> = Cli::command().get_subcommands().map(|c| c.get_name().to_owned()).collect();
+        for name in &names {
+            assert!(COMMANDS.contains(&name.as_str()), "{name}");
+        }
+    }
+
+    fn render(args: &[&str]) -> RenderArgs {
+        match Cli::try_parse_from([&["glint", "render"], args].concat()).unwrap().command {
+            Command::Render(r) => r,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn antialiasing_takes_a_value_only_after_an_equals_sign() {
+        assert_eq!(render(&["a.pov"]).picture.antialias, None);
+        assert_eq!(render(&["-A", "a.pov"]).picture.antialias, Some(0.3));
+        assert_eq!(render(&["-A=0.1", "a.pov"]).picture.antialias, Some(0.1));
+    }
+
+    #[test]
+    fn regions_have_four_numbers() {
+        assert_eq!(render(&["--region", "1,2,3,4", "a.pov"]).region, Some(Corners([1, 2, 3, 4])));
+        assert!(Cli::try_parse_from(["glint", "render", "--region", "1,2,3", "a.pov"]).is_err());
+    }
+}

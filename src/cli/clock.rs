@@ -1,0 +1,75 @@
+//! What the process has cost so far.
+
+use std::sync::Mutex;
+use std::time::Duration;
+
+/// CPU seconds of all threads of the process, since it began.
+pub fn cpu_seconds() -> f64 {
+    use rustix::time::{ClockId, clock_gettime};
+    let t = clock_gettime(ClockId::ProcessCPUTime);
+    Duration::new(t.tv_sec as u64, t.tv_nsec as u32).as_secs_f64()
+}
+
+/// The largest resident size so far, or 0 where the system does not tell.
+pub fn peak_rss_bytes() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let kib = |line: &str| line.strip_prefix("VmHWM:")?.trim().strip_suffix("kB")?.trim().parse::<u64>().ok();
+    status.lines().find_map(kib).unwrap_or(0) * 1024
+}
+
+/// Shares out the CPU time of the process, none left over.
+pub struct Lap<'a> {
+    counted: &'a Mutex<f64>,
+    start: f64,
+    last: f64,
+}
+
+impl<'a> Lap<'a> {
+    /// Goes on where the work before ended, as `counted` says; the first lap holds the start of the process
+    /// too.
+    pub fn new(counted: &'a Mutex<f64>) -> Self {
+        let start = *counted.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        Self { counted, start, last: start }
+    }
+
+    /// CPU seconds since the last call.
+    pub fn next(&mut self) -> f64 {
+        let now = cpu_seconds();
+        let lap = now - self.last;
+        self.last = now;
+        lap
+    }
+
+    /// CPU seconds of all the work up to now.
+    pub fn total(&mut self) -> f64 {
+        let now = cpu_seconds();
+        *self.counted.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = now;
+        now - self.start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_takes_time_and_memory() {
+        let before = cpu_seconds();
+        let mut n = 1u64;
+        for i in 0..20_000_000u64 {
+            n = std::hint::black_box(n.wrapping_mul(6364136223846793005).wrapping_add(i));
+        }
+        assert!(cpu_seconds() > before, "{n}");
+        assert!(peak_rss_bytes() > 1 << 20);
+    }
+
+    #[test]
+    fn laps_add_up() {
+        let counted = Mutex::new(0.0);
+        let mut lap = Lap::new(&counted);
+        let parts = lap.next() + lap.next();
+        let total = lap.total();
+        assert!((parts - total).abs() < 0.05 * total + 1e-3);
+        assert!(Lap::new(&counted).start >= total);
+    }
+}

@@ -1,0 +1,62 @@
+//! `glint compare`.
+
+use super::args::CompareArgs;
+use super::exit::{Exit, Failure};
+use super::json;
+use crate::picture::compare::{self, Difference};
+use crate::picture::{Output, load};
+use serde::Serialize;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    difference: Difference,
+    /// Structural similarity with chroma, 1 for equal pictures; null for tiny ones.
+    perceptual: Option<f64>,
+    width: u32,
+    height: u32,
+}
+
+pub fn run(args: &CompareArgs) -> Result<Exit, Failure> {
+    let (a, b) = (load::load(&args.a)?, load::load(&args.b)?);
+    let difference = compare::compare(&a, &b).map_err(Failure::failed)?;
+    let report =
+        Report { difference, perceptual: compare::perceptual(&a, &b), width: a.width, height: a.height };
+    if let Some(path) = &args.diff {
+        let image = compare::difference_image(&a, &b).map_err(Failure::failed)?;
+        Output::File(path.clone()).write(&compare::png_bytes(&image).map_err(Failure::failed)?)?;
+    }
+    if args.json {
+        json::print(&report)?
+    } else {
+        json::print_text(&text(&report))?
+    }
+    match args.min_psnr {
+        Some(min) if !difference.reaches(min) => {
+            Err(Failure::failed(format!("{} dB is below {min} dB", decibels(difference.psnr_db))))
+        }
+        _ => Ok(Exit::Done),
+    }
+}
+
+/// A PSNR for people.
+pub fn decibels(psnr: Option<f64>) -> String {
+    psnr.map_or("equal".into(), |db| format!("{db:.2}"))
+}
+
+fn text(report: &Report) -> String {
+    let d = &report.difference;
+    let psnr = d.psnr_db.map_or("infinite (the pictures are equal)".into(), |db| format!("{db:.2} dB"));
+    let perceptual = report.perceptual.map_or("-".into(), |p| format!("{p:.4}"));
+    format!(
+        "PSNR                {psnr}\n\
+         RMSE                {:.4} of 255\n\
+         largest difference  {} of 255\n\
+         off by more than 8  {:.3} % of pixels\n\
+         perceptual          {perceptual} (structure and chroma, 1 = equal)\n",
+        d.rmse,
+        (d.max_abs * 1000.0).round() / 1000.0,
+        d.off_by_8_share * 100.0,
+    )
+}

@@ -1,0 +1,125 @@
+//! One scene from text to file, with the time that each part takes.
+
+use super::plan::Plan;
+use super::report::RenderReport;
+use crate::cli::clock::{Lap, peak_rss_bytes};
+use crate::cli::exit::Failure;
+use crate::cli::output::Target;
+use crate::cli::progress::Canvas;
+use crate::cli::scene;
+use crate::picture::{Encoding, Picture, PictureError};
+use crate::render::render;
+use crate::trace::{Counters, Tracer};
+use crate::world::World;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+/// What others may look at while the picture is traced.
+pub struct Live {
+    pub canvas: Canvas,
+    encoding: Encoding,
+    target: Target,
+}
+
+impl Live {
+    /// Writes the picture as it is now.
+    pub fn write(&self) -> Result<(), PictureError> {
+        self.target.write(&self.canvas.snapshot(), &self.encoding)
+    }
+
+    /// Writes the unfinished picture and says so.
+    pub fn leave(&self) -> String {
+        let percent = self.canvas.percent();
+        let output = &self.target.output;
+        match output.path().map(|_| self.write()) {
+            None => format!("interrupted at {percent} %; nothing was written"),
+            Some(Ok(())) => format!("interrupted; {output} holds the {percent} % that were traced"),
+            Some(Err(error)) => {
+                format!("interrupted at {percent} %; the picture could not be written: {error}")
+            }
+        }
+    }
+}
+
+/// One scene of a batch.
+pub struct Job<'a> {
+    plan: &'a Plan,
+    scene: &'a Path,
+    target: Target,
+    live: Mutex<Option<Arc<Live>>>,
+}
+
+impl<'a> Job<'a> {
+    pub fn new(plan: &'a Plan, scene: &'a Path, target: Target) -> Self {
+        Self { plan, scene, target, live: Mutex::new(None) }
+    }
+
+    /// The picture, once tracing has begun.
+    pub fn live(&self) -> Option<Arc<Live>> {
+        self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).clone()
+    }
+
+    pub fn run(&self) -> Result<RenderReport, Failure> {
+        let wall = Instant::now();
+        let mut lap = Lap::new(&self.plan.counted);
+        let parsed = scene::parse(self.scene, &self.plan.options, self.plan.quiet)?;
+        let parse_cpu_s = lap.next();
+        let world = World::prepare(parsed.scene);
+        let prepare_cpu_s = lap.next();
+        let traced = Instant::now();
+        let live = self.start(&world);
+        let counters = self.trace(&world, &live);
+        let (trace_cpu_s, trace_wall_s) = (lap.next(), traced.elapsed().as_secs_f64());
+        if live.canvas.was_cancelled() {
+            return Err(Failure::interrupted(live.leave()));
+        }
+        live.target.write(&live.canvas.lock(), &live.encoding)?;
+        let write_cpu_s = lap.next();
+        Ok(RenderReport {
+            scene: self.scene.display().to_string(),
+            output: self.target.output.to_string(),
+            width: self.plan.width,
+            height: self.plan.height,
+            threads: self.plan.pool.current_num_threads(),
+            parse_cpu_s,
+            prepare_cpu_s,
+            trace_cpu_s,
+            write_cpu_s,
+            process_cpu_s: lap.total(),
+            wall_s: wall.elapsed().as_secs_f64(),
+            trace_wall_s,
+            camera_rays: counters.camera_rays,
+            shadow_rays: counters.shadow_rays,
+            reflected_rays: counters.reflected_rays,
+            refracted_rays: counters.refracted_rays,
+            peak_rss_bytes: peak_rss_bytes(),
+            warnings: parsed.warnings,
+            unsupported: parsed.unsupported,
+        })
+    }
+
+    /// Opens the picture to others.
+    fn start(&self, world: &World) -> Arc<Live> {
+        let live = Arc::new(Live {
+            canvas: Canvas::new(Picture::new(self.plan.width, self.plan.height), self.plan.region.pixels()),
+            encoding: self.plan.encoding(world.scene.globals.gamma),
+            target: self.target.clone(),
+        });
+        *self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(live.clone());
+        live
+    }
+
+    fn trace(&self, world: &World, live: &Live) -> Counters {
+        let settings = self.plan.trace_settings();
+        let rendering = self.plan.settings(world.scene.globals.gamma);
+        let canvas = &live.canvas;
+        let tracers =
+            render(&rendering, &self.plan.pool, &canvas.picture, canvas, || Tracer::new(world, &settings));
+        let mut total = Counters::default();
+        for tracer in &tracers {
+            total += tracer.counters();
+        }
+        total
+    }
+}

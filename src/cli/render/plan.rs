@@ -1,0 +1,122 @@
+//! Everything that was asked for, the same for all scenes of a batch.
+
+use crate::cli::args::{Corners, PictureArgs, RenderArgs};
+use crate::cli::exit::Failure;
+use crate::cli::scene::Options;
+use crate::color::Gamma;
+use crate::picture::{Encoding, FileGamma};
+use crate::render::{Antialias, Method, Region, Settings};
+use crate::trace;
+use std::sync::Mutex;
+
+/// The size of a picture that nobody asked for otherwise.
+const DEFAULT_SIZE: (u32, u32) = (640, 480);
+
+/// Reflections nest by recursion, up to a documented limit.
+const TRACE_STACK_BYTES: usize = 64 << 20;
+
+pub struct Plan {
+    pub width: u32,
+    pub height: u32,
+    pub region: Region,
+    pub options: Options,
+    /// The scene's gamma comes with the scene.
+    pub antialias: Option<Antialias>,
+    pub block_size: u32,
+    pub quality: u8,
+    pub alpha: bool,
+    pub bits: u8,
+    pub file_gamma: FileGamma,
+    pub quiet: bool,
+    pub partial: bool,
+    pub pool: rayon::ThreadPool,
+    /// CPU seconds of the process at the end of the scene before.
+    pub counted: Mutex<f64>,
+}
+
+impl Plan {
+    pub fn new(args: &RenderArgs) -> Result<Plan, Failure> {
+        let p = &args.picture;
+        let (width, height) = (p.width.unwrap_or(DEFAULT_SIZE.0), p.height.unwrap_or(DEFAULT_SIZE.1));
+        let mut options = Options::new(&args.scene, width, height)?;
+        options.interp.output_alpha = args.alpha;
+        Ok(Plan {
+            width,
+            height,
+            region: region(args.region, width, height)?,
+            options,
+            antialias: antialias(p),
+            block_size: Settings::BLOCK_SIZE,
+            quality: p.quality.min(9),
+            alpha: args.alpha,
+            bits: if args.bits == "16" { 16 } else { 8 },
+            file_gamma: FileGamma::Srgb,
+            quiet: args.quiet,
+            partial: args.partial,
+            pool: pool(p.threads.map(usize::from))?,
+            counted: Mutex::new(0.0),
+        })
+    }
+
+    pub fn encoding(&self, working: Gamma) -> Encoding {
+        Encoding { working, file: self.file_gamma, bits: self.bits, alpha: self.alpha }
+    }
+
+    pub fn settings(&self, working: Gamma) -> Settings {
+        let antialias = self.antialias.clone().map(|a| Antialias { working, ..a });
+        Settings { region: self.region, antialias, block_size: self.block_size }
+    }
+
+    pub fn trace_settings(&self) -> trace::Settings {
+        trace::Settings {
+            width: self.width,
+            height: self.height,
+            quality: self.quality,
+            alpha: self.alpha,
+            ..trace::Settings::default()
+        }
+    }
+}
+
+/// Threads that trace; one per core if none are asked for.
+pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).stack_size(TRACE_STACK_BYTES);
+    pool.build().map_err(|e| Failure::unavailable(format!("cannot start threads: {e}")))
+}
+
+fn antialias(p: &PictureArgs) -> Option<Antialias> {
+    let method = if p.aa_method == 2 { Method::Recursive } else { Method::Grid };
+    p.antialias.map(|threshold| Antialias {
+        threshold,
+        depth: p.aa_depth,
+        jitter: if p.jitter == "on" { 1.0 } else { 0.0 },
+        ..Antialias::new(method, Gamma::Unmanaged)
+    })
+}
+
+fn region(given: Option<Corners>, width: u32, height: u32) -> Result<Region, Failure> {
+    let Some(Corners([x0, y0, x1, y1])) = given else { return Ok(Region::whole(width, height)) };
+    if x0 >= x1 || y0 >= y1 || x1 > width || y1 > height {
+        return Err(Failure::usage(format!(
+            "--region {x0},{y0},{x1},{y1} is empty or leaves the picture of {width}x{height}: \
+             columns run from x0 to x1-1, rows from y0 to y1-1"
+        )));
+    }
+    Ok(Region { x0, y0, x1, y1 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regions_must_lie_in_the_picture() {
+        assert_eq!(region(None, 4, 3).unwrap(), Region::whole(4, 3));
+        let part = Region { x0: 1, y0: 0, x1: 4, y1: 3 };
+        assert_eq!(region(Some(Corners([1, 0, 4, 3])), 4, 3).unwrap(), part);
+        for wrong in [[2, 0, 2, 3], [0, 0, 5, 3], [0, 2, 4, 1]] {
+            assert!(region(Some(Corners(wrong)), 4, 3).unwrap_err().message.contains("--region"));
+        }
+    }
+}

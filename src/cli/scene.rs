@@ -1,0 +1,129 @@
+//! Scene text to a scene, with all that is said about it.
+
+use super::args::{Includes, SceneArgs};
+use super::diagnostic;
+use super::exit::Failure;
+use crate::interp::{self, IncludeMode, Outcome, SceneSource, Statistics};
+use crate::scene::Scene;
+use crate::source::{Diagnostic, Files};
+use std::io::Read;
+use std::path::Path;
+
+/// How scenes are read, the same for all scenes of a batch.
+#[derive(Clone, Debug)]
+pub struct Options {
+    pub interp: interp::Options,
+    /// Features that are not rendered yet are errors.
+    pub strict: bool,
+}
+
+impl Options {
+    pub fn new(args: &SceneArgs, width: u32, height: u32) -> Result<Options, Failure> {
+        let mut options = interp::Options {
+            library_paths: args.library.clone(),
+            includes: match args.includes {
+                Includes::Auto => IncludeMode::Auto,
+                Includes::Embedded => IncludeMode::Embedded,
+                Includes::Installed => IncludeMode::Installed,
+            },
+            image_width: width,
+            image_height: height,
+            ..interp::Options::default()
+        };
+        if let Some(folder) = args.library.iter().find(|f| !f.is_dir()) {
+            return Err(Failure::unavailable(format!("-L {}: there is no such folder", folder.display())));
+        }
+        for text in &args.declare {
+            options.declares.push(declaration(text)?);
+        }
+        options.frame.clock = args.clock as f32;
+        options.frame.clock_on = args.clock != 0.0;
+        Ok(Options { interp: options, strict: args.strict })
+    }
+}
+
+/// `NAME=VALUE`.
+fn declaration(text: &str) -> Result<(String, f64), Failure> {
+    let wrong =
+        || Failure::usage(format!("-D {text}: expected NAME=VALUE with a number, such as -D Detail=3"));
+    let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+    let (name, value) = (name.trim(), value.trim().parse().map_err(|_| wrong())?);
+    let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
+    if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) || !name.chars().all(letters) {
+        return Err(wrong());
+    }
+    Ok((name.to_owned(), value))
+}
+
+/// A scene that was read.
+pub struct Parsed {
+    pub scene: Scene,
+    /// One line each: place and message.
+    pub warnings: Vec<String>,
+    pub unsupported: Vec<String>,
+    pub statistics: Statistics,
+}
+
+/// Reads a scene. Diagnostics go to stderr, warnings only unless `quiet`.
+pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Failure> {
+    let outcome = interp::interpret(source(path)?, &options.interp);
+    let Outcome { scene, files, warnings, unsupported, debug, statistics } = outcome;
+    if !quiet {
+        eprint!("{debug}");
+        show_all(&warnings, &files);
+    }
+    let scene = scene.map_err(|error| {
+        diagnostic::show(&error, &files);
+        Failure::reported(diagnostic::line(&error, &files))
+    })?;
+    if options.strict && !unsupported.is_empty() {
+        return Err(Failure::failed(format!(
+            "{}: not rendered yet: {} (an error with --strict)",
+            path.display(),
+            unsupported.join(", ")
+        )));
+    }
+    let warnings = warnings.iter().map(|w| diagnostic::line(w, &files)).collect();
+    Ok(Parsed { scene, warnings, unsupported, statistics })
+}
+
+fn source(path: &Path) -> Result<SceneSource, Failure> {
+    if path == Path::new("-") {
+        let mut text = Vec::new();
+        let read = std::io::stdin().lock().read_to_end(&mut text);
+        read.map_err(|e| Failure::unavailable(format!("standard input: {e}")))?;
+        return Ok(SceneSource::Text { name: "<stdin>".into(), text });
+    }
+    match std::fs::File::open(path).and_then(|f| f.metadata()) {
+        Ok(data) if data.is_dir() => {
+            Err(Failure::unavailable(format!("{}: this is a folder", path.display())))
+        }
+        Ok(_) => Ok(SceneSource::Path(path.to_owned())),
+        Err(error) => Err(Failure::unavailable(format!("{}: {error}", path.display()))),
+    }
+}
+
+/// At most this many warnings of one scene are drawn.
+const MAX_WARNINGS: usize = 50;
+
+fn show_all(warnings: &[Diagnostic], files: &Files) {
+    for warning in warnings.iter().take(MAX_WARNINGS) {
+        diagnostic::show(warning, files);
+    }
+    if warnings.len() > MAX_WARNINGS {
+        eprintln!("… and {} more warnings", warnings.len() - MAX_WARNINGS);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn declarations_are_names_with_numbers() {
+        assert_eq!(declaration("Detail=3.5").unwrap(), ("Detail".into(), 3.5));
+        for wrong in ["Detail", "=3", "3d=1", "a b=1", "a=x"] {
+            assert!(declaration(wrong).unwrap_err().message.contains("NAME=VALUE"), "{wrong}");
+        }
+    }
+}
