@@ -173,7 +173,7 @@ fn a_batch_goes_on_after_a_bad_scene() {
     assert!(lines[0]["error"].as_str().unwrap().contains("bad.pov:1:"), "{}", lines[0]);
     assert_eq!(lines[1]["scene"], "good.pov");
     let text = stderr(&done);
-    for part in ["error", "bad.pov:1:16", "sphere { 0, 1 pigmet { rgb 1 } }", "^^^^^^", "pigment"] {
+    for part in ["error", "bad.pov:1:15", "sphere { 0, 1 pigmet { rgb 1 } }", "^^^^^^", "pigment"] {
         assert!(text.contains(part), "{part:?} is missing in\n{text}");
     }
 }
@@ -206,7 +206,7 @@ fn wrong_command_lines_exit_with_2() {
         &["render", "a.pov", "-D", "novalue"],
         &["render", "a.pov", "--json", "-o", "-"],
         &["render", "a.pov", "+W320"],
-        &["crosscheck", "a.pov", "--list", "x"],
+        &["crosscheck", ".", ".", "--list", "x"],
     ] {
         let done = folder.glint(args);
         assert_eq!(code(&done), Some(2), "{args:?}: {}", stderr(&done));
