@@ -15,6 +15,8 @@ mod light;
 mod map;
 mod material;
 mod media;
+mod mesh;
+mod mesh2;
 mod modifiers;
 mod normal;
 mod object;

@@ -144,6 +144,8 @@ fn parameters(word: Keyword) -> Option<Parameters> {
         Keyword::Triangle => Parser::triangle,
         Keyword::SmoothTriangle => Parser::smooth_triangle,
         Keyword::Polygon => Parser::polygon,
+        Keyword::Mesh => Parser::mesh,
+        Keyword::Mesh2 => Parser::mesh2,
         Keyword::Union | Keyword::Composite => Parser::union,
         Keyword::Merge => Parser::merge,
         Keyword::Intersection => Parser::intersection,

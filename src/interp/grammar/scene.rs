@@ -3,7 +3,6 @@
 use crate::interp::{Parser, Result};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
-use std::sync::Arc;
 
 impl Parser {
     /// Statements up to the end of the text.
@@ -87,12 +86,9 @@ impl Parser {
     }
 
     fn top_level_object(&mut self) -> Result<()> {
-        match self.object()? {
-            Some(object) => {
-                self.scene.scene.objects.push(Arc::new(object));
-                Ok(())
-            }
-            None => Err(self.unexpected("an object or a directive")),
+        match self.object_statement()? {
+            true => Ok(()),
+            false => Err(self.unexpected("an object or a directive")),
         }
     }
 }

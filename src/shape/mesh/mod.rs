@@ -22,7 +22,7 @@
 
 mod build;
 
-pub use build::{FLAT, MeshBuilder, NO_TEXTURE};
+pub use build::{FLAT, Merged, MeshBuilder, NO_TEXTURE};
 
 use super::triangle::Shear;
 use super::{Crossing, PartTexture, Shape, rounding};
