@@ -10,6 +10,7 @@ mod expr;
 mod grammar;
 mod include;
 mod interpret;
+mod lists;
 mod lookup;
 mod macros;
 mod messages;

@@ -5,37 +5,64 @@ const EXACT_POWERS: [f64; 23] = [
 ];
 
 /// The double nearest to a decimal number (`12`, `.5`, `5.`, `1e-3`; no sign) that fills `text`.
+pub fn parse_number(text: &[u8]) -> f64 {
+    leading_number(text).map_or(0.0, |(v, _)| v)
+}
+
+/// The double nearest to the decimal number that `text` begins with, and its length; `None` if it begins
+/// with none.
 ///
 /// Where the digits fit 53 bits and the power of ten is exact, one multiplication or division rounds
 /// correctly (Clinger, "How to Read Floating Point Numbers Accurately", 1990); else the library does it.
-pub fn parse_number(text: &[u8]) -> f64 {
-    let (mut digits, mut exponent, mut at) = (0u64, 0i64, 0);
-    let mut significant = 0;
-    let mut point = false;
-    while let Some(&b) = text.get(at) {
-        match b {
-            b'0'..=b'9' => {
-                digits = digits.wrapping_mul(10).wrapping_add(u64::from(b - b'0'));
-                significant += usize::from(significant > 0 || b != b'0');
-                exponent -= i64::from(point);
-            }
-            b'.' if !point => point = true,
-            _ => break,
+#[inline]
+pub fn leading_number(text: &[u8]) -> Option<(f64, usize)> {
+    let (mut digits, mut significant) = (0u64, 0);
+    let mut read = |from: usize| {
+        let mut at = from;
+        while let Some(d) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
+            digits = digits.wrapping_mul(10).wrapping_add(u64::from(d));
+            significant += usize::from(digits != 0);
+            at += 1;
         }
-        at += 1;
+        at
+    };
+    let mut at = read(0);
+    let whole = at;
+    let mut exponent = 0;
+    if text.get(at) == Some(&b'.') {
+        let end = read(at + 1);
+        if end == 1 {
+            return None;
+        }
+        exponent = at as i64 + 1 - end as i64;
+        at = end;
+    } else if whole == 0 {
+        return None;
     }
-    if at < text.len() {
-        exponent += written_exponent(&text[at + 1..]);
+    if let Some(length) = exponent_length(&text[at..]) {
+        exponent += written_exponent(&text[at + 1..at + length]);
+        at += length;
     }
     if significant <= 19 && digits <= 1 << 53 {
         if (0..=22).contains(&exponent) {
-            return digits as f64 * EXACT_POWERS[exponent as usize];
+            return Some((digits as f64 * EXACT_POWERS[exponent as usize], at));
         }
         if (-22..0).contains(&exponent) {
-            return digits as f64 / EXACT_POWERS[-exponent as usize];
+            return Some((digits as f64 / EXACT_POWERS[-exponent as usize], at));
         }
     }
-    std::str::from_utf8(text).ok().and_then(|s| s.parse().ok()).unwrap_or(0.0)
+    let value = std::str::from_utf8(&text[..at]).ok().and_then(|s| s.parse().ok()).unwrap_or(0.0);
+    Some((value, at))
+}
+
+/// How many bytes `e`, a sign and digits take, if they come.
+fn exponent_length(text: &[u8]) -> Option<usize> {
+    if !matches!(text.first(), Some(b'e' | b'E')) {
+        return None;
+    }
+    let sign = 1 + usize::from(matches!(text.get(1), Some(b'+' | b'-')));
+    let digits = text[sign..].iter().take_while(|b| b.is_ascii_digit()).count();
+    (digits > 0).then_some(sign + digits)
 }
 
 /// The number after `e`, held within a range that no double exceeds.
@@ -51,7 +78,7 @@ fn written_exponent(text: &[u8]) -> i64 {
 
 #[cfg(test)]
 mod tests {
-    use super::parse_number;
+    use super::{leading_number, parse_number};
 
     #[test]
     fn equals_the_library_bit_for_bit() {
@@ -85,6 +112,16 @@ mod tests {
         ] {
             let expected: f64 = text.parse().unwrap();
             assert_eq!(parse_number(text.as_bytes()).to_bits(), expected.to_bits(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_number_ends_where_it_must() {
+        for (text, length) in [("1e", 1), ("1e+", 1), ("2.5e3x", 5), ("7.,", 2), ("0.5>", 3), ("3<", 1)] {
+            assert_eq!(leading_number(text.as_bytes()).unwrap().1, length, "{text}");
+        }
+        for text in ["", ".", "e5", "-1", ".e1"] {
+            assert_eq!(leading_number(text.as_bytes()), None, "{text}");
         }
     }
 

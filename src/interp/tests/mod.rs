@@ -2,6 +2,7 @@
 
 mod directives;
 mod errors;
+mod lists;
 mod macros;
 mod oracle;
 
