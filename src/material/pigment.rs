@@ -1,7 +1,7 @@
 use crate::color::{Color, grey};
+use crate::function::{Surroundings, VectorFunction, VectorKind};
 use crate::math::Vec3;
-use crate::math::field::Field;
-use crate::pattern::{BlendMap, Blended, ColorMap, Context, NoiseGenerator, Pattern, Setting, Signal};
+use crate::pattern::{BlendMap, Blended, ColorMap, Context, Pattern, Setting, Signal};
 use std::sync::Arc;
 
 /// A colour at every point.
@@ -188,20 +188,21 @@ impl Pattern for GreyPigment {
 #[derive(Clone, Debug)]
 pub struct PigmentField {
     pub pigment: Arc<Pigment>,
-    pub noise: NoiseGenerator,
-    pub waves: usize,
+    pub surroundings: Arc<Surroundings>,
 }
 
 impl PigmentField {
     pub fn color(&self, p: Vec3) -> Color {
-        let context = Context { noise: self.noise, waves: self.waves, hit: None };
-        self.pigment.color_or_clear(p, &context)
+        self.pigment.color_or_clear(p, &Context::away(&self.surroundings))
     }
 }
 
-impl Field for PigmentField {
-    /// The grey value.
-    fn value(&self, p: Vec3) -> f64 {
-        f64::from(grey(self.color(p).rgb))
+impl VectorFunction for PigmentField {
+    fn kind(&self) -> VectorKind {
+        VectorKind::Color
+    }
+
+    fn value(&self, arguments: &[f64]) -> [f64; 5] {
+        self.color(Vec3::from_slice(arguments)).components().map(f64::from)
     }
 }

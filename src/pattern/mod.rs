@@ -85,6 +85,7 @@ pub use wood::Wood;
 pub use wrinkles::Wrinkles;
 
 use crate::color::Color;
+use crate::function::Surroundings;
 use crate::math::{Vec2, Vec3};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -102,6 +103,13 @@ pub struct Context<'a> {
     pub waves: usize,
     /// The surface hit, if there is one (not in functions, nor in the sky).
     pub hit: Option<&'a Incidence>,
+}
+
+impl Context<'_> {
+    /// Away from any surface.
+    pub fn away(surroundings: &Surroundings) -> Self {
+        Self { noise: surroundings.generator(), waves: surroundings.waves(), hit: None }
+    }
 }
 
 /// How a ray met a surface, in world space.

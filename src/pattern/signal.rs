@@ -1,4 +1,5 @@
 use super::{Bozo, Chain, Context, NoiseGenerator, Pattern, Setting, Turbulence, Wave};
+use crate::function::Surroundings;
 use crate::math::field::Field;
 use crate::math::{Transform, Vec3};
 use std::sync::Arc;
@@ -120,13 +121,12 @@ impl Signal {
 #[derive(Clone, Debug)]
 pub struct PatternField {
     pub signal: Signal,
-    pub noise: NoiseGenerator,
-    pub waves: usize,
+    pub surroundings: Arc<Surroundings>,
 }
 
 impl Field for PatternField {
     fn value(&self, p: Vec3) -> f64 {
-        let context = Context { noise: self.noise, waves: self.waves, hit: None };
+        let context = Context::away(&self.surroundings);
         self.signal.value(self.signal.warp(p), &context)
     }
 }
