@@ -27,7 +27,8 @@ impl FunctionImage {
 
     /// Red, green, blue and opacity in rows from the top. `filter` is dropped.
     pub fn colors(&self) -> Vec<[u16; 4]> {
-        let components = |c: Color| [c.rgb.x, c.rgb.y, c.rgb.z, 1.0 - c.transmit].map(|v| quantized(v.into()));
+        let components =
+            |c: Color| [c.rgb.x, c.rgb.y, c.rgb.z, 1.0 - c.transmit].map(|v| quantized(v.into()));
         self.sample(|value| match value {
             FunctionValue::Color(c) => components(c),
             FunctionValue::Float(v) | FunctionValue::Vector(_, [v, ..]) => {
@@ -57,7 +58,11 @@ mod tests {
     use super::super::{Expression, Unary};
     use super::*;
 
-    fn image(width: u32, height: u32, build: impl Fn(&mut Expression) -> super::super::Node) -> FunctionImage {
+    fn image(
+        width: u32,
+        height: u32,
+        build: impl Fn(&mut Expression) -> super::super::Node,
+    ) -> FunctionImage {
         let mut e = Expression::default();
         let root = build(&mut e);
         let function = Arc::new(Function::new(e, root, 3).unwrap());

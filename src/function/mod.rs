@@ -6,8 +6,8 @@
 mod compile;
 mod expr;
 mod external;
-mod internal;
 mod image;
+mod internal;
 mod interval;
 mod number;
 mod program;
@@ -15,8 +15,8 @@ mod surroundings;
 
 pub use expr::{Expression, Node};
 pub use external::{VectorFunction, VectorKind};
-pub use internal::Internal;
 pub use image::FunctionImage;
+pub use internal::Internal;
 pub use interval::Interval;
 pub use number::{Binary, Number, Unary};
 pub use surroundings::Surroundings;

@@ -2,7 +2,7 @@
 
 use super::directives::TINY;
 use super::{Parser, Result, Value};
-use crate::color::{Color, GREY_WEIGHTS};
+use crate::color::Color;
 use crate::math::{Vec2, Vec3};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
@@ -400,7 +400,7 @@ impl Parser {
             Tok::Word(Keyword::Transmit) => 4,
             Tok::Word(Keyword::Gray) => {
                 self.next()?;
-                let grey = (0..3).map(|i| v[i] * f64::from(GREY_WEIGHTS[i])).sum();
+                let grey = 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];
                 return Ok(Scalar(grey));
             }
             _ => return Err(self.unexpected("the name of a component")),

@@ -98,6 +98,7 @@ impl SceneBuilder {
             default_camera: camera,
             gamma_given: false,
             noise_given: false,
+            surroundings: Arc::default(),
         }
     }
 }
@@ -139,6 +140,13 @@ impl Parser {
         self.symbols.bind(symbol, GLOBAL, Binding::Value(value));
     }
 
+    /// Tells functions about to be called what holds here.
+    pub(super) fn settle_surroundings(&self) {
+        let original = !self.scene.noise_given && self.syntax_version() < 350;
+        let generator = self.scene.scene.globals.noise_generator;
+        self.scene.surroundings.set_generator(if original { NoiseGenerator::Original } else { generator });
+    }
+
     /// What the end of the text decides, and the scene.
     fn finish(&mut self) -> Result<Scene> {
         let whole = Span { file: self.last.file, start: 0, end: 0 };
@@ -170,6 +178,8 @@ impl Parser {
         if !given.1 && syntax < 350 {
             globals.noise_generator = NoiseGenerator::Original;
         }
+        self.scene.surroundings.set_generator(globals.noise_generator);
+        self.scene.surroundings.set_waves(globals.number_of_waves);
         let empty = SceneBuilder::new().scene;
         Ok(std::mem::replace(&mut self.scene.scene, empty))
     }

@@ -6,12 +6,14 @@ use super::symbols::{Binding, Symbols};
 use super::version::Version;
 use super::{Result, Value};
 use crate::camera::Camera;
+use crate::function::Surroundings;
 use crate::material::Layer;
 use crate::scene::Scene;
 use crate::source::{Diagnostic, FileId, Files, Span};
 use crate::syntax::{Interner, Keyword, Punct, Symbol, Tok, Token};
 use std::collections::HashMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The grammar's view of the text: tokens with directives carried out and macros expanded.
 pub struct Parser {
@@ -56,6 +58,8 @@ pub(crate) struct SceneBuilder {
     pub gamma_given: bool,
     /// Whether `noise_generator` was given.
     pub noise_given: bool,
+    /// What functions ask of the scene.
+    pub surroundings: Arc<Surroundings>,
 }
 
 /// The token seen but not taken.

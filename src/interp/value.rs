@@ -1,7 +1,8 @@
 use crate::camera::Camera;
 use crate::color::Color;
+use crate::function::Function;
 use crate::material::{Finish, Interior, Media, Normal, Pigment, Texture};
-use crate::math::Transform;
+use crate::math::{Spline, Transform};
 use crate::pattern::{BlendMap, ColorMap};
 use crate::scene::{Fog, Object, Rainbow, SkySphere};
 use std::sync::Arc;
@@ -31,8 +32,8 @@ pub enum Value {
     SkySphere(Arc<SkySphere>),
     /// `color_map`, `pigment_map` and their like, not yet given to a pattern.
     Map(Arc<Map>),
-    Function(Arc<dyn std::any::Any + Send + Sync>),
-    Spline(Arc<dyn std::any::Any + Send + Sync>),
+    Function(Arc<Function>),
+    Spline(Arc<Spline>),
     Density(Arc<Pigment>),
 }
 

@@ -29,9 +29,13 @@ pub(super) fn is_function(word: Keyword) -> bool {
 pub(in crate::interp) const EPOCH: f64 = 946_684_800.0;
 
 impl Parser {
+    pub(in crate::interp) fn clock(&self) -> f64 {
+        f64::from(self.options.frame.clock)
+    }
+
     pub(super) fn query(&mut self, word: Keyword, span: Span) -> Result<f64> {
         Ok(match word {
-            Keyword::Clock => f64::from(self.options.frame.clock),
+            Keyword::Clock => self.clock(),
             Keyword::ClockOn => f64::from(u8::from(self.options.frame.clock_on)),
             Keyword::Version => f64::from(self.syntax_version()) / 100.0,
             Keyword::Now => {

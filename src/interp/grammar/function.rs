@@ -268,7 +268,9 @@ impl Parser {
 
     fn function_product(&mut self, body: &mut Body) -> Result<Operand> {
         let mut left = self.function_signed(body)?;
-        while let Some(f) = self.accept_operator(&[(Punct::Star, Binary::Mul), (Punct::Slash, Binary::Div)])? {
+        while let Some(f) =
+            self.accept_operator(&[(Punct::Star, Binary::Mul), (Punct::Slash, Binary::Div)])?
+        {
             let span = self.peek()?.span;
             let right = self.function_signed(body)?;
             if f == Binary::Div && right.bare && body.expression.value(right.node) == Some(0.0) {

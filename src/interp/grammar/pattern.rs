@@ -54,6 +54,7 @@ impl Parser {
             Keyword::Julia => Arc::new(self.julia(FractalKind::Power(2))?),
             Keyword::Magnet => Arc::new(self.magnet()?),
             Keyword::Slope => Arc::new(self.slope()?),
+            Keyword::Function => Arc::new(pattern::Function(self.function_body_xyz()?)),
             Keyword::Object => {
                 self.expect_punct(Punct::LeftBrace)?;
                 let object = self.required_object()?;
@@ -315,7 +316,17 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
     use Keyword::*;
     matches!(
         word,
-        Facets | Gradient | Julia | Magnet | Mandel | Object | PigmentPattern | Slope | Spiral1 | Spiral2
+        Facets
+            | Function
+            | Gradient
+            | Julia
+            | Magnet
+            | Mandel
+            | Object
+            | PigmentPattern
+            | Slope
+            | Spiral1
+            | Spiral2
     )
 }
 

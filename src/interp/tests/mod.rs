@@ -3,6 +3,7 @@
 mod directives;
 mod errors;
 mod lists;
+mod functions;
 mod macros;
 mod oracle;
 
