@@ -45,6 +45,7 @@ pub struct Parser {
     pub(super) passes: u64,
     pub(super) text: super::string::TextState,
     pub(super) random: Vec<u32>,
+    pub(super) queries: super::world_query::Queries,
     pub(super) text_files: Vec<Option<super::textfile::TextFile>>,
 }
 
@@ -103,6 +104,7 @@ impl Parser {
             passes: 0,
             text: Default::default(),
             random: Vec::new(),
+            queries: Default::default(),
             text_files: Vec::new(),
         }
     }

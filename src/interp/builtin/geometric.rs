@@ -32,9 +32,9 @@ impl Parser {
             Keyword::Vrotate => self.two_vectors().map(|(v, angles)| Transform::rotate(angles).point(v))?,
             Keyword::Vnormalize => self.normalized(span)?,
             Keyword::VaxisRotate => self.rotated_about_axis()?,
-            Keyword::Vturbulence => self.turbulence(span)?,
-            Keyword::MinExtent | Keyword::MaxExtent => self.extent(word, span)?,
-            _ => self.trace_query(span)?,
+            Keyword::Vturbulence => self.turbulence()?,
+            Keyword::MinExtent | Keyword::MaxExtent => self.extent(word)?,
+            _ => self.trace_query()?,
         };
         Ok(Number::vector(vector))
     }

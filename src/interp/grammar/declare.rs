@@ -82,6 +82,11 @@ impl Parser {
         Ok(Target { symbol, reference, span: token.span.to(self.last) })
     }
 
+    /// What the left side holds now.
+    pub(in crate::interp) fn target_value(&self, target: &Target) -> Option<&Value> {
+        self.symbols.target(target.reference.as_ref()?)
+    }
+
     /// `#declare`: whatever the name means now is overwritten, a new name is global.
     pub(in crate::interp) fn declare_target(&mut self, target: Target, value: Value) -> Result<()> {
         match target.reference {

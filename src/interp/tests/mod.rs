@@ -6,6 +6,7 @@ mod lists;
 mod functions;
 mod macros;
 mod oracle;
+mod queries;
 
 use super::options::{Options, SceneSource};
 use super::parser::{Parser, SceneBuilder};
