@@ -21,6 +21,17 @@ fn surface(shape: impl Shape + 'static) -> Subject {
     Subject { shape: Arc::new(shape), flips: false, outward: false }
 }
 
+/// A closed quartic without symmetry: x⁴ + y⁴ + z⁴ + x y² - z x² + … = 2.
+fn algebraic() -> Algebraic {
+    let mut c = vec![0.0; Algebraic::count(4)];
+    let terms =
+        [(4, 0, 0, 1.0), (0, 4, 0, 1.2), (0, 0, 4, 0.8), (1, 2, 0, 0.5), (2, 0, 1, -0.4), (0, 0, 0, -2.0)];
+    for (i, j, k, value) in terms {
+        c[Algebraic::position(4, i, j, k)] = value;
+    }
+    Algebraic::new(4, c).unwrap()
+}
+
 fn subjects() -> Vec<Subject> {
     let v = Vec3::new;
     vec![
@@ -33,6 +44,9 @@ fn subjects() -> Vec<Subject> {
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.0, v(0.7, 1.6, 0.4), 0.85, false).unwrap()),
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.6, v(0.7, 1.6, 0.4), -0.45, false).unwrap()),
         solid(Torus::new(1.4, 0.45)),
+        solid(Quadric::new(v(0.6, 1.1, 0.4), v(0.2, -0.1, 0.3), v(0.3, -0.2, 0.1), -1.3)),
+        solid(Quadric::new(v(1.1, -0.7, 0.9), v(0.1, 0.0, 0.2), v(0.1, -0.2, 0.1), -0.6)),
+        solid(algebraic()),
         Subject { outward: false, ..solid(closed_mesh()) },
         surface(Torus::new(0.5, 0.8)),
         surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),

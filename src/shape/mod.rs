@@ -1,5 +1,6 @@
 //! Shapes: what a ray crosses, in the shape's own space. One file each.
 
+mod algebraic;
 mod cone;
 #[cfg(test)]
 mod conformance;
@@ -10,11 +11,13 @@ mod empty;
 pub mod mesh;
 mod plane;
 mod polygon;
+mod quadric;
 mod span;
 mod sphere;
 mod torus;
 mod triangle;
 
+pub use algebraic::Algebraic;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
@@ -23,6 +26,7 @@ pub use empty::Empty;
 pub use mesh::{Mesh, MeshBuilder};
 pub use plane::Plane;
 pub use polygon::{Polygon, is_closed as is_closed_polygon};
+pub use quadric::Quadric;
 pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::{SmoothTriangle, Triangle};

@@ -1,5 +1,6 @@
 //! One file per area of the language, one function per production.
 
+mod algebraic;
 mod array;
 mod atmosphere;
 mod camera;
