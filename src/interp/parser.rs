@@ -41,6 +41,8 @@ pub struct Parser {
     pub(super) camera_given: bool,
     /// Files read so far.
     pub(super) loaded: HashMap<PathBuf, FileId>,
+    /// Images read so far.
+    pub(super) images: Vec<super::grammar::LoadedImage>,
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
     pub(super) text: super::string::TextState,
@@ -101,6 +103,7 @@ impl Parser {
             spoken: false,
             camera_given: false,
             loaded: HashMap::new(),
+            images: Vec::new(),
             passes: 0,
             text: Default::default(),
             random: Vec::new(),

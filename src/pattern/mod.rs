@@ -21,6 +21,7 @@ mod function;
 mod gradient;
 mod granite;
 mod hexagon;
+pub mod image;
 mod lattice_points;
 mod leopard;
 mod map;

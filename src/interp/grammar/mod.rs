@@ -12,6 +12,7 @@ mod default_texture;
 mod finish;
 mod function;
 mod globals;
+mod image;
 mod interior;
 mod light;
 mod map;
@@ -32,3 +33,5 @@ mod spline;
 mod texture;
 mod transform;
 mod warp;
+
+pub(super) use image::LoadedImage;

@@ -1,5 +1,6 @@
 //! `normal { … }`.
 
+use super::image::ImageUse;
 use super::pattern::Place;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Normal, NormalKind};
@@ -54,6 +55,14 @@ impl Parser {
                 let base = normal.clone();
                 normal.kind = NormalKind::Uv(Arc::new(self.normal_body(base)?));
                 return Ok(true);
+            }
+            Tok::Word(Keyword::BumpMap) => {
+                self.next()?;
+                self.expect_punct(Punct::LeftBrace)?;
+                let (map, settings) = self.image_with_settings(ImageUse::Bumps)?;
+                self.expect_punct(Punct::RightBrace)?;
+                normal.kind = NormalKind::Image(map);
+                normal.amount = settings.bump_size.unwrap_or(normal.amount);
             }
             Tok::Word(Keyword::Average) => {
                 self.next()?;

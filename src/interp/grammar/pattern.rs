@@ -47,6 +47,7 @@ impl Parser {
 
     fn pattern_parameters(&mut self, word: Keyword) -> Result<Arc<dyn Pattern>> {
         Ok(match word {
+            Keyword::Facets => Arc::new(pattern::Facets::default()),
             Keyword::Gradient => Arc::new(Gradient::new(self.vector()?)),
             Keyword::Spiral1 => Arc::new(pattern::Spiral::single(self.float()?)),
             Keyword::Spiral2 => Arc::new(pattern::Spiral::double(self.float()?)),
@@ -61,6 +62,7 @@ impl Parser {
                 self.expect_punct(Punct::RightBrace)?;
                 Arc::new(pattern::InsideOut(Arc::new(ObjectQuery::new(&object))))
             }
+            Keyword::ImagePattern => Arc::new(self.image_pattern()?),
             Keyword::PigmentPattern => {
                 let base = (*self.scene.default_layer.pigment).clone();
                 Arc::new(GreyPigment(Arc::new(self.braced_pigment(base)?)))
@@ -319,6 +321,7 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
         Facets
             | Function
             | Gradient
+            | ImagePattern
             | Julia
             | Magnet
             | Mandel

@@ -1,6 +1,7 @@
 //! `texture { … }`: plain ones with pigment, normal and finish, and patterned ones that choose between
 //! textures.
 
+use super::image::ImageUse;
 use super::pattern::Place;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Attached, Layer, PatternedKind, PatternedTexture, Texture};
@@ -68,6 +69,7 @@ impl Parser {
         }
         let texture = match self.peek()?.tok {
             Tok::Word(Keyword::Tiles) => self.tiles()?,
+            Tok::Word(Keyword::MaterialMap) => self.material_map()?,
             _ => match self.patterned_texture()? {
                 Some(texture) => texture,
                 None => return self.plain_texture(vec![self.scene.default_layer.clone()]),
@@ -202,6 +204,22 @@ impl Parser {
             list.push((list.len() as f32, Texture::Layers(vec![self.scene.default_layer.clone()])));
         }
         Ok(BlendMap::new(list))
+    }
+
+    /// `material_map { image texture… }`.
+    fn material_map(&mut self) -> Result<Texture> {
+        self.expect(Keyword::MaterialMap)?;
+        self.expect_punct(Punct::LeftBrace)?;
+        let (image, _) = self.image_with_settings(ImageUse::Materials)?;
+        let mut textures = vec![(0.0, self.braced_texture(Keyword::Texture)?)];
+        while self.peek()?.tok == Tok::Word(Keyword::Texture) {
+            textures.push((0.0, self.braced_texture(Keyword::Texture)?));
+        }
+        self.expect_punct(Punct::RightBrace)?;
+        let mut signal = Signal::default();
+        while self.signal_modifier(&mut signal)? {}
+        let kind = PatternedKind::Material(image);
+        Ok(Texture::Patterned(Arc::new(PatternedTexture::new(kind, signal, BlendMap::new(textures)))))
     }
 
     /// `tiles { texture… tile2 texture… }`: a checker in the old way of writing.

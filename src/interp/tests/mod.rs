@@ -2,11 +2,13 @@
 
 mod directives;
 mod errors;
-mod lists;
 mod functions;
+mod images;
+mod lists;
 mod macros;
 mod oracle;
 mod queries;
+mod surface;
 
 use super::options::{Options, SceneSource};
 use super::parser::{Parser, SceneBuilder};
