@@ -1,6 +1,6 @@
 //! Patterns, and what may be written after them in pigments, normals, textures and densities alike.
 
-use crate::interp::{Parser, Result};
+use crate::interp::{FileKind, Parser, Result};
 use crate::material::GreyPigment;
 use crate::math::Vec3;
 use crate::pattern::{
@@ -47,6 +47,7 @@ impl Parser {
 
     fn pattern_parameters(&mut self, word: Keyword) -> Result<Arc<dyn Pattern>> {
         Ok(match word {
+            Keyword::DensityFile => Arc::new(self.density_file()?),
             Keyword::Facets => Arc::new(pattern::Facets::default()),
             Keyword::Gradient => Arc::new(Gradient::new(self.vector()?)),
             Keyword::Spiral1 => Arc::new(pattern::Spiral::single(self.float()?)),
@@ -69,6 +70,17 @@ impl Parser {
             }
             _ => return Err(self.unexpected("a pattern")),
         })
+    }
+
+    /// `df3 "name"`.
+    fn density_file(&mut self) -> Result<pattern::DensityFile> {
+        self.expect(Keyword::Df3)?;
+        let span = self.peek()?.span;
+        let name = self.file_name()?;
+        let path = self.require_file(&name, FileKind::Df3, span)?;
+        let failed = |e: String| Box::new(Diagnostic::error(span, format!("cannot read `{name}`: {e}")));
+        let bytes = std::fs::read(&path).map_err(|e| failed(e.to_string()))?;
+        pattern::DensityFile::new(&bytes).map_err(failed)
     }
 
     fn iterations(&mut self) -> Result<u32> {
@@ -318,7 +330,8 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
     use Keyword::*;
     matches!(
         word,
-        Facets
+        DensityFile
+            | Facets
             | Function
             | Gradient
             | ImagePattern

@@ -4,7 +4,7 @@
 use super::image::ImageUse;
 use super::pattern::Place;
 use crate::interp::{Parser, Result, Value};
-use crate::material::{Attached, Layer, PatternedKind, PatternedTexture, Texture};
+use crate::material::{Attached, Layer, NormalKind, PatternedKind, PatternedTexture, Texture};
 use crate::pattern::{BlendMap, Checker, Signal};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
@@ -113,14 +113,19 @@ impl Parser {
 
     /// `pigment`, `normal` or `finish`, changing those of a layer.
     pub(super) fn layer_part(&mut self, layer: &mut Layer) -> Result<bool> {
-        match self.peek()?.tok {
+        let token = self.peek()?;
+        match token.tok {
             Tok::Word(Keyword::Pigment) => {
                 let pigment = self.pigment_statement_from((*layer.pigment).clone())?;
                 layer.pigment = Arc::new(pigment);
             }
             Tok::Word(Keyword::Normal) => {
                 let base = layer.normal.as_deref().cloned().unwrap_or_default();
-                layer.normal = Some(Arc::new(self.normal_statement_from(base)?));
+                let normal = self.normal_statement_from(base)?;
+                if matches!(normal.kind, NormalKind::Flat) {
+                    self.warn(Diagnostic::warning(token.span, "this normal has no pattern"));
+                }
+                layer.normal = Some(Arc::new(normal));
             }
             Tok::Word(Keyword::Finish) => {
                 let finish = self.finish_statement_from((*layer.finish).clone())?;
