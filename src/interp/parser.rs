@@ -153,12 +153,23 @@ impl Parser {
                     }
                     self.call_macro(name, token.span)?;
                 }
+                Tok::Punct(Punct::Hash) => self.lone_hash(token)?,
                 _ => {
                     self.ahead = Ahead::Ready(token);
                     return Ok(token);
                 }
             }
         }
+    }
+
+    /// `#` without a word of the language: an unknown directive, or nothing if no name follows.
+    fn lone_hash(&mut self, token: Token) -> Result<()> {
+        if let Tok::Identifier(_) = self.glance()? {
+            let name = self.raw()?;
+            return Err(self.unexpected_token(name, "a directive"));
+        }
+        self.warn(Diagnostic::warning(token.span, "this `#` has no directive behind it"));
+        Ok(())
     }
 
     fn holds(&self) -> bool {

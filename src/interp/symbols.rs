@@ -56,7 +56,8 @@ impl Symbols {
         self.scopes.len()
     }
 
-    fn innermost(&self) -> u32 {
+    /// The number of the innermost table.
+    pub fn innermost(&self) -> u32 {
         self.scopes.len() as u32
     }
 

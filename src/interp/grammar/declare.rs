@@ -18,6 +18,10 @@ pub(in crate::interp) struct Target {
     symbol: Symbol,
     /// The variable or element, if the name is known.
     reference: Option<Reference>,
+    /// The innermost table when the name was read: macros on the right side may stand in another one.
+    scope: u32,
+    /// Whether that table has the name.
+    local: bool,
     span: Span,
 }
 
@@ -32,6 +36,8 @@ impl Parser {
         }
         self.last = equal.span;
         self.deeper()?;
+        // Directives may choose the right side, but not cut it short.
+        self.peek_operand()?;
         let before = self.hold();
         let rvalue = self.rvalue();
         self.release(before);
@@ -79,7 +85,8 @@ impl Parser {
         if let Some(reference) = &mut reference {
             self.subscripts(reference, token.span)?;
         }
-        Ok(Target { symbol, reference, span: token.span.to(self.last) })
+        let (scope, local) = (self.symbols.innermost(), self.symbols.is_local(symbol));
+        Ok(Target { symbol, reference, scope, local, span: token.span.to(self.last) })
     }
 
     /// What the left side holds now.
@@ -101,11 +108,12 @@ impl Parser {
     /// `#local`: only a name of the innermost table is overwritten.
     fn local_target(&mut self, target: Target, value: Value) -> Result<()> {
         match target.reference {
-            Some(reference) if self.symbols.is_local(target.symbol) || !reference.path.is_empty() => {
+            Some(reference) if target.local || !reference.path.is_empty() => {
                 self.assign(&reference, value, target.span)
             }
             _ => {
-                self.symbols.bind_innermost(target.symbol, Binding::Value(value));
+                let scope = target.scope.min(self.symbols.innermost());
+                self.symbols.bind(target.symbol, scope, Binding::Value(value));
                 Ok(())
             }
         }
@@ -114,7 +122,8 @@ impl Parser {
     /// As `#local` does.
     pub(in crate::interp) fn assign_local(&mut self, symbol: Symbol, value: Value, span: Span) -> Result<()> {
         let reference = self.symbols.reference(symbol);
-        self.local_target(Target { symbol, reference, span }, value)
+        let (scope, local) = (self.symbols.innermost(), self.symbols.is_local(symbol));
+        self.local_target(Target { symbol, reference, scope, local, span }, value)
     }
 
     fn assign(&mut self, reference: &Reference, value: Value, span: Span) -> Result<()> {

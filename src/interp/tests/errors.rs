@@ -47,7 +47,6 @@ fn mistakes_are_errors() {
         "/* open",
         "\"open",
         "#include \"no such file\"",
-        "#macro M() #macro N() #end #end",
         "#version 3.0; #macro M() #end",
         "#declare A=(\"a\"+1);",
         "#fopen F \"/etc/passwd\" read",
