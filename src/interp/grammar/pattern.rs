@@ -56,6 +56,7 @@ impl Parser {
             Keyword::Julia => Arc::new(self.julia(FractalKind::Power(2))?),
             Keyword::Magnet => Arc::new(self.magnet()?),
             Keyword::Slope => Arc::new(self.slope()?),
+            Keyword::Tiling => Arc::new(self.tiling()?),
             Keyword::Function => Arc::new(pattern::Function(self.function_body_xyz()?)),
             Keyword::Object => {
                 self.expect_punct(Punct::LeftBrace)?;
@@ -81,6 +82,18 @@ impl Parser {
         let failed = |e: String| Box::new(Diagnostic::error(span, format!("cannot read `{name}`: {e}")));
         let bytes = std::fs::read(&path).map_err(|e| failed(e.to_string()))?;
         pattern::DensityFile::new(&bytes).map_err(failed)
+    }
+
+    fn tiling(&mut self) -> Result<pattern::Tiling> {
+        let token = self.peek()?;
+        let number = self.float()?;
+        match pattern::Tiling::new(number.clamp(0.0, 99.0) as u32) {
+            Some(tiling) => Ok(tiling),
+            None => {
+                let message = format!("tilings have the numbers 1 to {}", pattern::Tiling::COUNT);
+                Err(Box::new(Diagnostic::error(token.span, message)))
+            }
+        }
     }
 
     fn iterations(&mut self) -> Result<u32> {
@@ -343,6 +356,7 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
             | Slope
             | Spiral1
             | Spiral2
+            | Tiling
     )
 }
 
