@@ -48,6 +48,7 @@ fn subjects() -> Vec<Subject> {
         solid(Quadric::new(v(1.1, -0.7, 0.9), v(0.1, 0.0, 0.2), v(0.1, -0.2, 0.1), -0.6)),
         solid(algebraic()),
         Subject { outward: false, ..solid(closed_mesh()) },
+        solid(isosurface()),
         surface(Torus::new(0.5, 0.8)),
         surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),
         surface(Triangle::new(v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)).unwrap()),
@@ -70,6 +71,23 @@ fn subjects() -> Vec<Subject> {
             .unwrap(),
         ),
     ]
+}
+
+/// A ball with dents, cut off by its container.
+fn isosurface() -> Isosurface {
+    #[derive(Debug)]
+    struct Dented;
+    impl crate::math::field::Field for Dented {
+        fn value(&self, p: Vec3) -> f64 {
+            p.length() - 1.3 + 0.1 * (3.0 * p.x).sin() * (4.0 * p.y).cos()
+        }
+    }
+    let mut surface = Isosurface::new(Arc::new(Dented));
+    surface.container = Container::cuboid(Vec3::new(-1.1, -1.6, -1.7), Vec3::new(1.5, 1.8, 1.4));
+    surface.max_gradient = 1.6;
+    surface.accuracy = 1e-5;
+    surface.max_trace = 10;
+    surface
 }
 
 /// An irregular octahedron with an inside.

@@ -4,10 +4,12 @@ mod algebraic;
 mod cone;
 #[cfg(test)]
 mod conformance;
+mod container;
 mod cuboid;
 mod cylinder;
 mod disc;
 mod empty;
+mod isosurface;
 pub mod mesh;
 mod plane;
 mod polygon;
@@ -19,10 +21,12 @@ mod triangle;
 
 pub use algebraic::Algebraic;
 pub use cone::Cone;
+pub use container::Container;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use empty::Empty;
+pub use isosurface::Isosurface;
 pub use mesh::{Mesh, MeshBuilder};
 pub use plane::Plane;
 pub use polygon::{Polygon, is_closed as is_closed_polygon};
@@ -31,7 +35,7 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::{SmoothTriangle, Triangle};
 
-use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
+use crate::math::{Aabb, EPSILON, Range, Ray, Transform, Vec2, Vec3};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -107,6 +111,11 @@ pub trait Shape: Debug + Send + Sync {
     /// The shape that `inverse` turns this one into, where that is not its complement with the normal
     /// turned round. It replaces the shape, and is not inverted any further.
     fn inverse(&self) -> Option<Arc<dyn Shape>> {
+        None
+    }
+
+    /// The same shape made ready for its place in the world, where that matters.
+    fn placed(&self, _to_world: &Transform) -> Option<Arc<dyn Shape>> {
         None
     }
 

@@ -199,6 +199,7 @@ impl Flattened {
         let replacement = if inverted { shape.inverse() } else { None };
         let inverted = inverted && replacement.is_none();
         let shape = replacement.unwrap_or_else(|| shape.clone());
+        let shape = shape.placed(&to_world).unwrap_or(shape);
         let bounds = if inverted {
             Aabb::INFINITE
         } else if outer.in_intersection {

@@ -14,6 +14,7 @@ mod function;
 mod globals;
 mod image;
 mod interior;
+mod isosurface;
 mod light;
 mod map;
 mod material;

@@ -140,6 +140,7 @@ fn parameters(word: Keyword) -> Option<Parameters> {
         Keyword::Cylinder => Parser::cylinder,
         Keyword::Cone => Parser::cone,
         Keyword::Torus => Parser::torus,
+        Keyword::Isosurface => Parser::isosurface,
         Keyword::Disc => Parser::disc,
         Keyword::Triangle => Parser::triangle,
         Keyword::SmoothTriangle => Parser::smooth_triangle,
