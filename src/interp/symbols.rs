@@ -2,7 +2,7 @@
 
 use super::macros::Macro;
 use super::value::Value;
-use crate::syntax::{SPELLINGS, Symbol};
+use crate::syntax::{Interner, Symbol};
 use std::sync::Arc;
 
 /// What a name is bound to.
@@ -49,7 +49,7 @@ impl Symbols {
     }
 
     /// A name that no text can spell; it stands for an array element already looked up.
-    pub const ELEMENT: Symbol = Symbol(SPELLINGS.len() as u32);
+    pub const ELEMENT: Symbol = Interner::NAMELESS;
 
     /// How many tables are open above the global one.
     pub fn depth(&self) -> usize {

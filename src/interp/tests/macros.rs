@@ -96,3 +96,9 @@ fn a_local_stays_in_its_table_whatever_the_right_side_calls() {
                 #macro Outer() #local R=Inner() #debug str(R,0,0) #end Outer() #ifdef(R) #debug \"R\" #end";
     assert_eq!(debug(text), "7");
 }
+
+#[test]
+fn an_element_looked_up_disturbs_no_variable() {
+    let text = "#declare S=array[2]{\"a\",\"b\"}; #declare O=array[1]{sphere{0,1}}; #debug S[1] object{O[0]}";
+    assert_eq!(debug(&format!("{text}{}", shown(&["image_width"]))), "b160.000000 ");
+}
