@@ -327,7 +327,7 @@ impl Flattened {
             self.projectors.push(solid);
             self.projectors.len() as u32 - 1
         });
-        let light = WorldLight { light: source.light.transformed(to_world), projected_through };
+        let light = WorldLight { light: source.light.transformed(to_world), projected_through, number: 0 };
         if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
     }
 

@@ -122,25 +122,30 @@ impl Geometry {
         best
     }
 
-    /// Whether an opaque root that casts shadows lies inside `range`.
-    pub fn blocked(&self, ray: &Ray, range: Range) -> bool {
-        let mut found = false;
-        let mut visit = |index: u32, max: f64| {
+    /// Whether an opaque root that casts shadows lies inside `range`. `last` remembers which one did, and is
+    /// asked first: neighbouring rays are mostly stopped by the same object.
+    pub fn blocked(&self, ray: &Ray, range: Range, last: &mut u32) -> bool {
+        let stops = |index: u32| {
             let root = &self.roots[index as usize];
-            if root.opaque && root.hidden & RayClass::Shadow.bit() == 0 && self.meets(root.solid, ray, range)
-            {
-                found = true;
-                return f64::NEG_INFINITY;
-            }
-            max
+            root.opaque && root.hidden & RayClass::Shadow.bit() == 0 && self.meets(root.solid, ray, range)
         };
-        for &i in &self.infinite {
-            if visit(i, range.max) < range.max {
-                return true;
-            }
+        if *last != NONE && stops(*last) {
+            return true;
         }
-        self.visit_finite(ray, range, visit);
-        found
+        let mut found = |index: u32| {
+            let stopped = index != *last && stops(index);
+            if stopped {
+                *last = index;
+            }
+            stopped
+        };
+        if self.infinite.iter().any(|&i| found(i)) {
+            return true;
+        }
+        match &self.tree {
+            Some(tree) => tree.any(ray, range, |place| found(self.finite[place as usize])),
+            None => self.finite.iter().any(|&i| found(i)),
+        }
     }
 
     /// Calls `visit` with the roots whose bounds the ray may meet.
