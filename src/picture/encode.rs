@@ -54,8 +54,9 @@ impl Encoding {
         }
     }
 
-    fn quantise(&self, value: f64) -> u16 {
-        let max = f64::from(self.max());
+    /// In single precision, as the reference: it decides where a value lies half-way between two steps.
+    fn quantise(&self, value: f32) -> u16 {
+        let max = f32::from(self.max());
         // `clamp` keeps NaN and the cast makes it 0.
         (value.clamp(0.0, 1.0) * max + 0.5).floor() as u16
     }
@@ -63,8 +64,8 @@ impl Encoding {
     /// The quantised channels of one pixel; the fourth is alpha.
     pub fn pixel(&self, p: Pixel) -> [u16; 4] {
         let (rgb, alpha) = if self.alpha { unmultiplied(p) } else { (p.rgb, 1.0) };
-        let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c)));
-        [r, g, b, self.quantise(f64::from(alpha))]
+        let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c) as f32));
+        [r, g, b, self.quantise(alpha)]
     }
 
     /// All quantised channels, row by row, three or four a pixel.
@@ -133,6 +134,13 @@ mod tests {
     fn values_out_of_range_are_clipped() {
         let all = |c| file_value(Gamma::Power(1.0), FileGamma::Srgb, 8, c);
         assert_eq!([all(-1.0), all(2.0), all(f32::INFINITY), all(f32::NAN)], [0, 255, 255, 0]);
+    }
+
+    /// 0.7 of 255 is 178.5 - 3e-6, and 178.5 in single precision.
+    #[test]
+    fn ties_are_decided_in_single_precision() {
+        let e = Encoding { alpha: true, ..Encoding::new(Gamma::Unmanaged) };
+        assert_eq!(e.pixel(Pixel::new(Rgb::ZERO, 0.3))[3], 179);
     }
 
     #[test]

@@ -45,6 +45,13 @@ impl std::ops::Mul<f32> for Pixel {
     }
 }
 
+impl std::ops::Div<f32> for Pixel {
+    type Output = Pixel;
+    fn div(self, k: f32) -> Pixel {
+        Pixel { rgb: self.rgb / k, transmit: self.transmit / k }
+    }
+}
+
 /// Working values, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
