@@ -8,6 +8,7 @@ pub mod encode;
 pub mod exr;
 mod file;
 pub mod load;
+pub mod other;
 pub mod png;
 
 pub use encode::{Encoding, FileGamma};
