@@ -29,6 +29,7 @@ mod map;
 mod marble;
 mod object;
 mod onion;
+mod pavement;
 mod planar;
 mod quilted;
 mod radial;
@@ -72,6 +73,7 @@ pub use map::{BlendMap, Blended, ColorMap};
 pub use marble::Marble;
 pub use object::InsideOut;
 pub use onion::Onion;
+pub use pavement::Pavement;
 pub use planar::Planar;
 pub use quilted::Quilted;
 pub use radial::Radial;
@@ -182,6 +184,9 @@ pub enum Modifier {
     Exterior(u32, f64),
     Interior(u32, f64),
     Interpolate(u32),
+    Sides(u32),
+    Tiles(u32),
+    Number(u32),
 }
 
 /// A scalar field over space: a point of the pattern's own space to its raw value.

@@ -65,6 +65,11 @@ impl Parser {
                 Arc::new(pattern::InsideOut(Arc::new(ObjectQuery::new(&object))))
             }
             Keyword::ImagePattern => Arc::new(self.image_pattern()?),
+            Keyword::Pavement => {
+                let span = self.last_span();
+                self.unsupported(span, "the pattern `pavement`");
+                Arc::new(pattern::Pavement)
+            }
             Keyword::PigmentPattern => {
                 let base = (*self.scene.default_layer.pigment).clone();
                 Arc::new(GreyPigment(Arc::new(self.braced_pigment(base)?)))
@@ -271,16 +276,19 @@ impl Parser {
             Keyword::Coords => Modifier::Coords(self.float()?),
             Keyword::Exponent => Modifier::Exponent(self.fractal_exponent()?),
             Keyword::Exterior | Keyword::Interior => {
-                let kind = self.float()?.clamp(0.0, 99.0) as u32;
+                let kind = self.small_number()?;
                 self.comma()?;
-                let factor = self.float()?;
+                let factor = if self.at_expression()? { self.float()? } else { 1.0 };
                 if word == Keyword::Exterior {
                     Modifier::Exterior(kind, factor)
                 } else {
                     Modifier::Interior(kind, factor)
                 }
             }
-            _ => Modifier::Interpolate(self.float()?.clamp(0.0, 99.0) as u32),
+            Keyword::Interpolate => Modifier::Interpolate(self.small_number()?),
+            Keyword::NumberOfSides => Modifier::Sides(self.small_number()?),
+            Keyword::NumberOfTiles => Modifier::Tiles(self.small_number()?),
+            _ => Modifier::Number(self.small_number()?),
         };
         match signal.pattern.modified(modifier) {
             Some(pattern) => signal.pattern = pattern,
@@ -290,6 +298,10 @@ impl Parser {
             }
         }
         Ok(true)
+    }
+
+    fn small_number(&mut self) -> Result<u32> {
+        Ok(self.float()?.clamp(0.0, 99.0) as u32)
     }
 
     fn fractal_exponent(&mut self) -> Result<u32> {
@@ -352,6 +364,7 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
             | Magnet
             | Mandel
             | Object
+            | Pavement
             | PigmentPattern
             | Slope
             | Spiral1
@@ -376,7 +389,10 @@ fn is_pattern_modifier(word: Keyword) -> bool {
             | Interpolate
             | Metric
             | Mortar
+            | NumberOfSides
+            | NumberOfTiles
             | Offset
+            | Pattern
             | Size
             | Solid
     )
