@@ -31,6 +31,7 @@ mod regions;
 mod scene;
 mod shapes;
 mod spline;
+mod text;
 mod texture;
 mod transform;
 mod warp;

@@ -150,6 +150,7 @@ fn parameters(word: Keyword) -> Option<Parameters> {
         Keyword::Quartic => Parser::quartic,
         Keyword::Poly => Parser::poly,
         Keyword::Polynomial => Parser::polynomial,
+        Keyword::Text => Parser::text,
         Keyword::Mesh => Parser::mesh,
         Keyword::Mesh2 => Parser::mesh2,
         Keyword::Union | Keyword::Composite => Parser::union,
