@@ -43,6 +43,8 @@ pub struct Parser {
     pub(super) loaded: HashMap<PathBuf, FileId>,
     /// Images read so far.
     pub(super) images: Vec<super::grammar::LoadedImage>,
+    /// What is said when a name is used.
+    pub(super) deprecated: HashMap<Symbol, Arc<str>>,
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
     pub(super) text: super::string::TextState,
@@ -104,6 +106,7 @@ impl Parser {
             camera_given: false,
             loaded: HashMap::new(),
             images: Vec::new(),
+            deprecated: HashMap::new(),
             passes: 0,
             text: Default::default(),
             random: Vec::new(),
@@ -155,6 +158,11 @@ impl Parser {
                 }
                 Tok::Punct(Punct::Hash) => self.lone_hash(token)?,
                 _ => {
+                    if !self.deprecated.is_empty()
+                        && let Tok::Identifier(name) = token.tok
+                    {
+                        self.warn_deprecated(token, name);
+                    }
                     self.ahead = Ahead::Ready(token);
                     return Ok(token);
                 }

@@ -174,6 +174,14 @@ impl Symbols {
         true
     }
 
+    /// Removes a name from the innermost table that has it; false if none has.
+    pub fn remove_innermost(&mut self, symbol: Symbol) -> bool {
+        match self.slots.get(symbol.0 as usize).and_then(|slot| slot.last()) {
+            Some(entry) => self.remove(symbol, entry.scope),
+            None => false,
+        }
+    }
+
     /// Every name with a meaning now.
     pub fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
         let bound = |(index, slot): (usize, &Vec<Entry>)| (!slot.is_empty()).then_some(Symbol(index as u32));

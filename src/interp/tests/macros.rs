@@ -102,3 +102,11 @@ fn an_element_looked_up_disturbs_no_variable() {
     let text = "#declare S=array[2]{\"a\",\"b\"}; #declare O=array[1]{sphere{0,1}}; #debug S[1] object{O[0]}";
     assert_eq!(debug(&format!("{text}{}", shown(&["image_width"]))), "b160.000000 ");
 }
+
+#[test]
+fn undef_of_a_parameter_leaves_the_variable() {
+    let text = "#macro M(A) #undef A #ifdef(A) #debug \"A\" #end #end #declare X=1; M(X) #ifdef(X) #debug \"X\" #end";
+    assert_eq!(debug(text), "X");
+    let text = "#macro M(A) #undef A[0] #end #declare X=array[1]{1}; M(X) #ifdef(X[0]) #debug \"X\" #end";
+    assert_eq!(debug(text), "");
+}
