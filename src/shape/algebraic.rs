@@ -9,7 +9,8 @@
 //!
 //! Numerical care: along a ray the polynomial in the distance is expanded, by Horner's rule in x, y and z,
 //! around the ray's point closest to the origin of the object's space, so a distant camera costs no digits.
-//! Roots are told by sign changes and bracketed (see `math::polynomial`); a ray that only touches misses.
+//! Roots are told by sign changes and bracketed (see `math::polynomial`); where the polynomial touches zero
+//! without changing its sign there is one crossing, so double surfaces are visible.
 
 use super::{COINCIDENT, Crossing, Shape, rounding};
 use crate::math::polynomial::{self, Touching};
@@ -145,14 +146,14 @@ impl Shape for Algebraic {
         let (shift, c) = self.expanded(ray);
         let range = Range::new(range.min - shift, range.max - shift);
         out.extend(
-            polynomial::roots(&c, range, Touching::Skip).into_iter().map(|s| Crossing::new(s + shift)),
+            polynomial::roots(&c, range, Touching::Once).into_iter().map(|s| Crossing::new(s + shift)),
         );
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let (shift, c) = self.expanded(ray);
         let range = Range::new(range.min - shift, range.max - shift);
-        polynomial::first_root(&c, range).map(|s| Crossing::new(s + shift))
+        polynomial::roots(&c, range, Touching::Once).first().map(|&s| Crossing::new(s + shift))
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -3,6 +3,7 @@
 mod algebraic;
 mod array;
 mod atmosphere;
+mod blob;
 mod camera;
 mod color;
 mod csg;
@@ -28,8 +29,10 @@ mod old_texture;
 mod pattern;
 mod pigment;
 mod regions;
+mod revolution;
 mod scene;
 mod shapes;
+mod solids;
 mod spline;
 mod text;
 mod texture;
