@@ -1,7 +1,6 @@
 use crate::color::{Color, grey};
 use crate::function::{Surroundings, VectorFunction, VectorKind};
 use crate::math::Vec3;
-use crate::pattern::image::{ImageMap, OUTSIDE};
 use crate::pattern::{BlendMap, Blended, ColorMap, Context, Pattern, Setting, Signal};
 use std::sync::Arc;
 
@@ -28,7 +27,6 @@ pub enum PigmentKind {
     Patterned,
     /// The weighted mean of the map's items.
     Average,
-    Image(ImageMap),
     /// The inner pigment at the surface's (u, v, 0).
     Uv(Arc<Pigment>),
 }
@@ -71,7 +69,6 @@ impl Pigment {
         self.opaque = match (&self.kind, &self.map) {
             (PigmentKind::Plain(color), _) => !color.is_transparent(),
             (PigmentKind::Patterned, None) => true,
-            (PigmentKind::Image(map), _) => map.is_opaque(),
             (PigmentKind::Patterned | PigmentKind::Average, Some(PigmentMap::Colors(map))) => opaque_map(map),
             _ => self.children().all(|p| p.opaque),
         };
@@ -99,7 +96,6 @@ impl Pigment {
             PigmentKind::Plain(color) => Some(*color),
             PigmentKind::Patterned => Some(self.patterned(p, context)),
             PigmentKind::Average => self.average(p, context),
-            PigmentKind::Image(map) => map.color(self.signal.warp_alone(p)),
             PigmentKind::Uv(inner) => {
                 let uv = context.hit?.uv;
                 inner.color(uv.extend(0.0), context)
@@ -109,7 +105,7 @@ impl Pigment {
 
     /// The colour, with what shows outside an image: clear white.
     pub fn color_or_clear(&self, p: Vec3, context: &Context) -> Color {
-        self.color(p, context).unwrap_or(OUTSIDE)
+        self.color(p, context).unwrap_or(Color::new(1.0, 1.0, 1.0, 0.0, 1.0))
     }
 
     #[inline]

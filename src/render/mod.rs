@@ -3,11 +3,14 @@
 //! Every block depends on itself alone, and every sample on its place, so that the picture is the same
 //! whatever the number of threads.
 
+pub mod adaptive;
 mod antialias;
 mod block;
 mod grid;
 mod recursive;
 mod sampler;
+#[cfg(test)]
+pub(crate) mod synthetic;
 
 pub use antialias::{Antialias, Method};
 pub use block::{Block, blocks};
@@ -37,6 +40,10 @@ pub trait Observer: Sync {
 
     /// A block of so many pixels is finished, for which so many rays were followed.
     fn block_done(&self, _pixels: u64, _rays: u64) {}
+
+    /// After so many samples the whole picture is expected to have this RMSE in light. Only adaptive
+    /// rendering tells.
+    fn surveyed(&self, _samples: u64, _rmse: f64) {}
 }
 
 /// Watches nothing.

@@ -5,47 +5,34 @@ mod monitor;
 mod plan;
 mod report;
 
-pub use job::Task;
-pub use plan::{Plan, pool};
+use plan::Plan;
 
 use super::args::RenderArgs;
 use super::exit::{Exit, Failure};
-use super::output::{self, Target};
-use super::scene::Options;
+use super::output::Target;
 use super::{interrupt, json};
 use std::path::Path;
 
 pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     check(args)?;
     let plan = Plan::new(args)?;
-    let mut options = Options::new(&args.scene, plan.width, plan.height)?;
-    options.interp.output_alpha = args.alpha;
-    let task = |scene: &Path| {
-        let target = Target::new(scene, args.output.as_deref())?;
-        Ok(Task { scene: scene.to_owned(), target, options: options.clone() })
-    };
-    let tasks = args.scenes.iter().map(|s| task(s)).collect::<Result<Vec<_>, Failure>>()?;
-    run_all(&plan, &tasks, args.json)
-}
-
-/// Does all tasks. A bad one does not stop the others; the exit code remembers it.
-pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failure> {
     interrupt::listen();
     let mut exit = Exit::Done;
-    for task in tasks {
-        match monitor::render(plan, task) {
+    for scene in &args.scenes {
+        let target = Target::new(scene, args.output.as_deref());
+        match target.and_then(|target| monitor::render(&plan, scene, target)) {
             Ok(report) => {
-                if as_json {
+                if args.json {
                     json::print(&report)?;
                 }
-                if !plan.quiet {
+                if !args.quiet {
                     eprintln!("{}", report.line());
                 }
             }
             Err(failure) if failure.exit == Exit::Interrupted => return Err(failure),
             Err(failure) => {
-                if as_json {
-                    json::print(&json::Failed::new(&task.scene, &failure))?;
+                if args.json {
+                    json::print(&json::Failed::new(scene, &failure))?;
                 }
                 super::complain(&failure);
                 exit = exit.max(failure.exit);
@@ -58,7 +45,8 @@ pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failu
 /// Combinations that make no sense.
 fn check(args: &RenderArgs) -> Result<(), Failure> {
     let output = args.output.as_deref();
-    if args.scenes.len() > 1 && output.is_some_and(|o| !output::is_folder(o)) {
+    Target::new(Path::new("scene.pov"), output)?;
+    if args.scenes.len() > 1 && output.is_some_and(|o| !super::output::is_folder(o)) {
         return Err(Failure::usage(
             "several scenes need several pictures: give -o a folder, or leave it away",
         ));

@@ -63,7 +63,7 @@ impl Parser {
         if average && !self.at_expression()? {
             return Ok(1.0);
         }
-        let key = self.float()?;
+        let key = self.condition()?;
         self.comma()?;
         Ok(key as f32)
     }

@@ -3,7 +3,7 @@
 mod black_hole;
 mod cubic;
 mod planar;
-pub(crate) mod polar;
+mod polar;
 mod repeat;
 
 pub use black_hole::{BlackHole, Repetition};

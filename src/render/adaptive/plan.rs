@@ -1,0 +1,227 @@
+//! Which pixels get more samples next.
+//!
+//! Every pixel could be doubled again and again; each doubling takes some expected error away for some rays.
+//! All of them are sorted by what they gain per ray. Those that would have to be carried out to reach the
+//! target, or to spend [`STEP`] of the samples that there are, are the plan; of each pixel's the first one is
+//! carried out, and then pixels are looked at again.
+
+use super::calibration::{BINS, Calibration, bin};
+use super::estimate::{Convergence, Expected, LEVELS, Slope, level};
+use super::order::tile;
+use super::sequence::mix;
+use super::tally::{Samples, Tally};
+
+/// A plan's share of new samples over those that there are.
+const STEP: f64 = 0.5;
+/// Rounds are not made smaller than this share of the samples that there are.
+const LEAST_STEP: f64 = 0.03;
+/// A plan aims at a little less than the target, so that it need not be mended afterwards.
+const AIM: f64 = 0.97;
+/// The share of the samples that there are which goes to pixels picked by chance, in each round.
+const AUDIT_SHARE: f64 = 0.03;
+/// A class is audited until so many members are measured, whatever they showed,
+const AUDIT_LEAST: f64 = 200.0;
+/// and until the uncertainty of its error is below this share of the picture's.
+const AUDIT_PRECISION: f64 = 0.1;
+/// The most samples that a pixel can be given.
+const MAX_COUNT: u32 = 1 << 20;
+
+/// A pixel whose samples are to be brought to a number.
+#[derive(Clone, Copy, Debug)]
+pub struct Task {
+    pub pixel: u32,
+    pub to: u32,
+    /// Squared errors that are expected before they are held against measured ones.
+    pub plain: f32,
+    pub local: f32,
+    pub slope: Slope,
+}
+
+impl Task {
+    pub fn first(pixel: u32, to: u32) -> Self {
+        Self { pixel, to, plain: 0.0, local: 0.0, slope: Slope::default() }
+    }
+
+    fn doubling(pixel: usize, samples: &Samples, e: &Expected) -> Self {
+        Self { pixel: pixel as u32, to: samples.count * 2, plain: e.plain, local: e.local, slope: e.slope }
+    }
+}
+
+/// What a plan is made from.
+pub struct Planner<'a> {
+    pub tally: &'a Tally,
+    pub expected: &'a [Expected],
+    pub calibration: &'a Calibration,
+    pub convergence: &'a Convergence,
+    /// Samples of the whole picture so far, and its expected squared error.
+    pub samples: u64,
+    pub total: f64,
+    pub round: u32,
+}
+
+impl Planner<'_> {
+    /// The next round's tasks, those first that gain most. `target` is the squared error to be reached.
+    pub fn tasks(&self, target: Option<f64>) -> Vec<Task> {
+        let mut ladder = Ladder::new();
+        for (e, samples) in self.pixels() {
+            ladder.add(e.variance, samples, self.convergence);
+        }
+        let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t));
+        let mut chosen: Vec<(usize, usize, Task)> = Vec::new();
+        let mut rest: Vec<usize> = Vec::new();
+        for (i, (e, samples)) in self.pixels().enumerate() {
+            let rung = Ladder::rung(gain(e.variance, samples.count, samples, self.convergence));
+            if rung <= lowest && samples.count < MAX_COUNT {
+                let place = tile(self.tally.width(), i);
+                chosen.push((rung, place, Task::doubling(i, samples, e)));
+            } else {
+                rest.push(i);
+            }
+        }
+        chosen.sort_by_key(|(rung, place, task)| (*rung, *place, task.pixel));
+        let mut tasks: Vec<Task> = chosen.into_iter().map(|c| c.2).collect();
+        if !tasks.is_empty() {
+            self.audit(&rest, &mut tasks);
+        }
+        tasks
+    }
+
+    fn pixels(&self) -> impl Iterator<Item = (&Expected, &Samples)> {
+        self.expected.iter().zip(&self.tally.pixels)
+    }
+
+    /// The class that pixel `i` belongs to.
+    fn class(&self, i: usize) -> (usize, usize) {
+        (level(self.tally.pixels[i].count), bin(self.expected[i].local))
+    }
+
+    /// Adds pixels picked by chance from classes about which too little is known.
+    fn audit(&self, rest: &[usize], tasks: &mut Vec<Task>) {
+        let mut members = [[0f64; BINS]; LEVELS];
+        for &i in rest {
+            let (level, bin) = self.class(i);
+            members[level][bin] += 1.0;
+        }
+        let chances = self.chances(&members);
+        for &i in rest {
+            let (level, bin) = self.class(i);
+            let draw = f64::from(mix(mix(i as u32 ^ 0x5BD1_E995) ^ self.round)) / 4_294_967_296.0;
+            let samples = &self.tally.pixels[i];
+            if draw < chances[level][bin] && samples.count < MAX_COUNT {
+                tasks.push(Task::doubling(i, samples, &self.expected[i]));
+            }
+        }
+    }
+
+    /// How likely a member of each class is picked.
+    fn chances(&self, members: &[[f64; BINS]; LEVELS]) -> [[f64; BINS]; LEVELS] {
+        let mut chances = [[0f64; BINS]; LEVELS];
+        let mut cost = 0.0;
+        for l in 0..LEVELS {
+            for b in 0..BINS {
+                let n = members[l][b];
+                if n == 0.0 {
+                    continue;
+                }
+                let class = self.calibration.class(l, b);
+                let uncertain = n * class.deviation() / (AUDIT_PRECISION * self.total.max(f64::MIN_POSITIVE));
+                let wanted = uncertain.powi(2).max(AUDIT_LEAST.min(n / 8.0)) - class.count();
+                chances[l][b] = (wanted / n).clamp(0.0, 0.5);
+                cost += chances[l][b] * n * 2f64.powi(l as i32);
+            }
+        }
+        let scale = (AUDIT_SHARE * self.samples as f64 / cost.max(1.0)).min(1.0);
+        chances.map(|row| row.map(|c| c * scale))
+    }
+}
+
+/// Error that doubling takes away, per ray.
+fn gain(variance: f32, count: u32, samples: &Samples, convergence: &Convergence) -> f32 {
+    let rays_per_sample = (samples.rays / samples.count.max(1) as f32).max(1.0);
+    variance * (1.0 - convergence.ratio[level(count)]) / (count as f32 * rays_per_sample)
+}
+
+/// Doublings of all pixels by what they gain: rungs a quarter of an octave apart, the best first.
+struct Ladder {
+    samples: Vec<f64>,
+    variance: Vec<f64>,
+}
+
+impl Ladder {
+    const RUNGS: usize = 400;
+    /// A squared error of 3 (black for white) is on the highest rung whatever its price.
+    const HIGHEST: f32 = 16.0;
+
+    fn new() -> Self {
+        Self { samples: vec![0.0; Self::RUNGS], variance: vec![0.0; Self::RUNGS] }
+    }
+
+    fn rung(gain: f32) -> usize {
+        let quarters = Self::HIGHEST - 4.0 * gain.max(f32::MIN_POSITIVE).log2();
+        (quarters.max(0.0) as usize).min(Self::RUNGS - 1)
+    }
+
+    /// The doublings of one pixel from now on.
+    fn add(&mut self, mut variance: f32, samples: &Samples, convergence: &Convergence) {
+        let mut count = samples.count;
+        while count < MAX_COUNT {
+            let rung = Self::rung(gain(variance, count, samples, convergence));
+            if rung == Self::RUNGS - 1 {
+                break;
+            }
+            let ratio = convergence.ratio[level(count)];
+            self.samples[rung] += f64::from(count);
+            self.variance[rung] += f64::from(variance * (1.0 - ratio));
+            variance *= ratio;
+            count *= 2;
+        }
+    }
+
+    /// The last rung that is carried out when `spent` samples have been taken and `excess` squared error has
+    /// to go.
+    fn cut(&self, spent: f64, excess: Option<f64>) -> usize {
+        let (mut samples, mut variance) = (0.0, 0.0);
+        for rung in 0..Self::RUNGS - 1 {
+            samples += self.samples[rung];
+            variance += self.variance[rung];
+            let enough = samples >= LEAST_STEP * spent && excess.is_some_and(|e| variance >= e);
+            if enough || samples >= STEP * spent {
+                return rung;
+            }
+        }
+        Self::RUNGS - 2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples(count: u32) -> Samples {
+        Samples { count, rays: count as f32, ..Samples::default() }
+    }
+
+    /// With the preset convergence a doubling takes 71 % of the error of one sample away and 69 % of what is
+    /// left: 0.71 for one sample, 0.29 * 0.69 / 2 = 0.1 a sample for the next two.
+    #[test]
+    fn the_ladder_holds_all_doublings_of_a_pixel() {
+        let mut ladder = Ladder::new();
+        ladder.add(1.0, &samples(1), &Convergence::default());
+        let first = Ladder::rung(0.71);
+        let second = Ladder::rung(0.29 * 0.69 / 2.0);
+        assert_eq!((ladder.samples[first], ladder.samples[second]), (1.0, 2.0));
+        assert!((ladder.variance[first] - 0.71).abs() < 1e-6);
+        assert!((ladder.variance[second] - 0.29 * 0.69).abs() < 1e-6);
+        assert_eq!(ladder.cut(10.0, Some(0.7)), first);
+        assert_eq!(ladder.cut(10.0, Some(0.8)), second);
+    }
+
+    /// Of two equal pixels the one whose samples cost twice the rays is worth half.
+    #[test]
+    fn rays_are_what_samples_cost() {
+        let convergence = Convergence::default();
+        let dear = Samples { rays: 8.0, ..samples(4) };
+        let cheap = gain(0.1, 4, &samples(4), &convergence);
+        assert!((gain(0.1, 4, &dear, &convergence) * 2.0 - cheap).abs() < 1e-7);
+    }
+}

@@ -1,0 +1,371 @@
+//! One adaptive render from its first sample to its last.
+
+use super::calibration::{Calibration, Measured};
+use super::coarse::stand_ins;
+use super::estimate::{Convergence, Expected, Slope, level, survey};
+use super::locality::{Locality, Shown};
+use super::order;
+use super::plan::{Planner, Task};
+use super::sequence::{Sequence, mix};
+use super::tally::{Samples, Tally};
+use super::{Adaptive, Clock, Ended};
+use crate::picture::light::Light;
+use crate::picture::{Picture, Pixel};
+use crate::render::{Observer, Sampler};
+use std::ops::Range;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Samples that a thread takes on at a time, about.
+const CHUNK: usize = 16;
+/// The means of up to so many samples are moved to the pixel's centre; more are balanced by themselves.
+const CENTRED: u32 = 2;
+/// A survey is begun if there is time for this many of its kind.
+const SURVEY_MARGIN: f64 = 2.0;
+
+pub struct State<'a, S> {
+    settings: &'a Adaptive,
+    pool: &'a rayon::ThreadPool,
+    picture: &'a Mutex<Picture>,
+    observer: &'a dyn Observer,
+    clock: &'a dyn Clock,
+    /// One per thread.
+    samplers: Vec<Mutex<S>>,
+    tally: Tally,
+    /// The last doubling of each pixel.
+    shown: Vec<Shown>,
+    calibration: Calibration,
+    convergence: Convergence,
+    samples: u64,
+    rounds: u32,
+    /// Seconds that the last survey and plan took.
+    surveying: f64,
+}
+
+/// New samples of one pixel.
+struct Found {
+    samples: Samples,
+    /// Squared difference between their halves.
+    half_jump: f32,
+}
+
+impl<'a, S: Sampler + Send> State<'a, S> {
+    pub fn new(
+        settings: &'a Adaptive,
+        pool: &'a rayon::ThreadPool,
+        picture: &'a Mutex<Picture>,
+        observer: &'a dyn Observer,
+        clock: &'a dyn Clock,
+        samplers: Vec<Mutex<S>>,
+    ) -> Self {
+        State {
+            settings,
+            pool,
+            picture,
+            observer,
+            clock,
+            samplers,
+            tally: Tally::new(settings.region),
+            shown: vec![Shown::default(); settings.region.pixels() as usize],
+            calibration: Calibration::default(),
+            convergence: Convergence::default(),
+            samples: 0,
+            rounds: 0,
+            surveying: 0.0,
+        }
+    }
+
+    pub fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    pub fn rounds(&self) -> u32 {
+        self.rounds
+    }
+
+    pub fn into_samplers(self) -> Vec<S> {
+        self.samplers.into_iter().map(|s| s.into_inner().expect("threads do not panic")).collect()
+    }
+
+    /// Renders; why it ended, and the error that is expected of the picture.
+    pub fn run(&mut self) -> (Ended, Option<f64>) {
+        let base = self.base_tasks();
+        let ended = self.round(&base);
+        if self.tally.pixels.iter().any(|p| p.count == 0) {
+            let ended = ended.unwrap_or(Ended::Time);
+            if ended != Ended::Cancelled {
+                self.fill();
+            }
+            return (ended, None);
+        }
+        loop {
+            let begun = self.clock.seconds();
+            let mut expected = self.survey();
+            let total = total(&expected);
+            let rmse = self.rmse(total);
+            self.observer.surveyed(self.samples, rmse);
+            if self.settings.target.is_some_and(|target| rmse <= target) {
+                self.finish(&expected);
+                return (Ended::Converged, Some(rmse));
+            }
+            let tasks = self.plan(&expected, total);
+            self.surveying = self.clock.seconds() - begun;
+            let ended = match tasks.is_empty() {
+                true => Some(Ended::Converged),
+                false => self.round(&tasks),
+            };
+            if let Some(ended) = ended {
+                self.foresee(&mut expected, &tasks);
+                self.finish(&expected);
+                return (ended, Some(self.rmse(self::total(&expected))));
+            }
+            self.rounds += 1;
+        }
+    }
+
+    fn rmse(&self, total: f64) -> f64 {
+        (total / (3 * self.tally.pixels.len().max(1)) as f64).sqrt()
+    }
+
+    fn sequence(&self, i: usize) -> Sequence {
+        let (x, y) = self.tally.place(i);
+        Sequence::new(x, y, self.settings.seed)
+    }
+
+    fn base_tasks(&self) -> Vec<Task> {
+        let (width, height) = (self.tally.width(), self.tally.height());
+        let pixels = if self.settings.is_limited() {
+            order::gradual(width, height)
+        } else {
+            order::tiled(width, height)
+        };
+        let count = self.settings.base.max(1).next_power_of_two();
+        pixels.into_iter().map(|pixel| Task::first(pixel, count)).collect()
+    }
+
+    /// Corrected expectations of all pixels.
+    fn survey(&mut self) -> Vec<Expected> {
+        self.convergence = self.calibration.convergence();
+        let offset = |i: usize| self.sequence(i).offset(0);
+        let (light, convergence) = (&self.settings.light, &self.convergence);
+        let mut expected = self.pool.install(|| survey(&self.tally, light, convergence, offset));
+        if self.rounds == 0 {
+            for surprise in expected.iter().filter_map(|e| e.surprise) {
+                self.calibration.record_surprise(self.convergence.error_from_jump(0, surprise));
+            }
+        }
+        let factors = self.calibration.factors();
+        let locality = Locality::new(&self.tally, &self.shown);
+        let width = self.tally.width();
+        for (i, (e, samples)) in expected.iter_mut().zip(&self.tally.pixels).enumerate() {
+            e.local = e.plain * locality.factor(i % width, i / width);
+            e.variance = factors.corrected(level(samples.count), e.local);
+        }
+        expected
+    }
+
+    fn plan(&self, expected: &[Expected], total: f64) -> Vec<Task> {
+        let planner = Planner {
+            tally: &self.tally,
+            expected,
+            calibration: &self.calibration,
+            convergence: &self.convergence,
+            samples: self.samples,
+            total,
+            round: self.rounds,
+        };
+        planner.tasks(self.settings.target.map(|t| t * t * (3 * expected.len()) as f64))
+    }
+
+    /// Carries out tasks in order, as many as are allowed; whether and why the render ends with them.
+    fn round(&mut self, tasks: &[Task]) -> Option<Ended> {
+        let allowed = self.settings.max_samples.map_or(u64::MAX, |m| m.saturating_sub(self.samples));
+        let mut spent = 0;
+        let within = tasks.iter().take_while(|t| {
+            let fits = spent < allowed;
+            spent += u64::from(t.to - self.tally.pixels[t.pixel as usize].count);
+            fits
+        });
+        let within = within.count();
+        let found = self.trace(&tasks[..within]);
+        let done = found.len();
+        for (task, found) in tasks.iter().zip(&found) {
+            self.merge(task, found);
+        }
+        if done < within {
+            return Some(if self.observer.cancelled() { Ended::Cancelled } else { Ended::Time });
+        }
+        if within < tasks.len() {
+            return Some(Ended::Samples);
+        }
+        self.is_late(SURVEY_MARGIN * self.surveying).then_some(Ended::Time)
+    }
+
+    /// Whether the deadline is no more than so many seconds away.
+    fn is_late(&self, margin: f64) -> bool {
+        self.settings.deadline.is_some_and(|deadline| self.clock.seconds() + margin >= deadline)
+    }
+
+    fn merge(&mut self, task: &Task, found: &Found) {
+        let sequence = self.sequence(task.pixel as usize);
+        let old = &mut self.tally.pixels[task.pixel as usize];
+        if old.count > 0 {
+            let (from, to) = (old.count, old.count + found.samples.count);
+            let shift = shift(&sequence, 0..from, from..to, &task.slope);
+            let (a, b) = (old.pixel(), found.samples.pixel());
+            let jump = squared_distance(&self.settings.light, &a, &b, shift);
+            let error = self.convergence.error_from_jump(level(old.count), jump);
+            self.shown[task.pixel as usize] = Shown { expected: task.plain, measured: error };
+            self.calibration.record(&Measured {
+                level: level(old.count),
+                expected: task.local,
+                error,
+                jump,
+                half_jump: found.half_jump,
+            });
+        }
+        self.samples += u64::from(found.samples.count);
+        *old = old.join(&found.samples);
+    }
+
+    /// The results of the first so many tasks: of all, unless time is up. Tasks are begun in order and what
+    /// is begun is finished, so that nothing is missing in between.
+    fn trace(&self, tasks: &[Task]) -> Vec<Found> {
+        let new: u64 =
+            tasks.iter().map(|t| u64::from(t.to - self.tally.pixels[t.pixel as usize].count)).sum();
+        let chunk = (CHUNK * tasks.len()).checked_div(new as usize).unwrap_or(1).clamp(1, CHUNK);
+        let next = AtomicUsize::new(0);
+        let results: Mutex<Vec<(usize, Vec<Found>)>> = Mutex::new(Vec::new());
+        self.pool.broadcast(|thread| {
+            let mut sampler = self.samplers[thread.index()].lock().expect("threads do not panic");
+            while !self.observer.cancelled() && !self.is_late(0.0) {
+                let first = next.fetch_add(chunk, Ordering::Relaxed);
+                let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
+                let tasks = &tasks[..tasks.len().min(chunk)];
+                let before = sampler.rays();
+                let found: Vec<Found> = tasks.iter().map(|t| self.sample(t, &mut sampler)).collect();
+                self.show(tasks, &found, sampler.rays() - before);
+                results.lock().expect("threads do not panic").push((first, found));
+            }
+        });
+        let mut results = results.into_inner().expect("threads do not panic");
+        results.sort_by_key(|r| r.0);
+        results.into_iter().flat_map(|r| r.1).collect()
+    }
+
+    fn sample(&self, task: &Task, sampler: &mut S) -> Found {
+        let i = task.pixel as usize;
+        let (x, y) = self.tally.place(i);
+        let sequence = self.sequence(i);
+        let before = sampler.rays();
+        let draws = if self.settings.seed == 0 { 0 } else { mix(self.settings.seed) };
+        let mut run = |numbers: Range<u32>| {
+            Samples::of(numbers.map(|k| {
+                let (dx, dy) = sequence.offset(k);
+                sampler.seed(x, y, k ^ draws);
+                sampler.sample(f64::from(x) + dx, f64::from(y) + dy)
+            }))
+        };
+        let from = self.tally.pixels[i].count;
+        let middle = from + (task.to - from) / 2;
+        let (a, b) = (run(from..middle), run(middle..task.to));
+        let half_jump = match a.count {
+            0 => 0.0,
+            _ => squared_distance(&self.settings.light, &a.pixel(), &b.pixel(), [0.0; 3]),
+        };
+        let samples = Samples { rays: (sampler.rays() - before) as f32, ..a.join(&b) };
+        Found { samples, half_jump }
+    }
+
+    /// Draws what has been found so that others can look at it.
+    fn show(&self, tasks: &[Task], found: &[Found], rays: u64) {
+        let mut first = 0;
+        let mut picture = self.picture.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        for (task, found) in tasks.iter().zip(found) {
+            let old = &self.tally.pixels[task.pixel as usize];
+            first += u64::from(old.count == 0);
+            let (x, y) = self.tally.place(task.pixel as usize);
+            picture.set(x, y, old.join(&found.samples).pixel());
+        }
+        drop(picture);
+        self.observer.block_done(first, rays);
+    }
+
+    /// Takes from expectations what tasks that were carried out have taken away.
+    fn foresee(&self, expected: &mut [Expected], tasks: &[Task]) {
+        for task in tasks {
+            let i = task.pixel as usize;
+            if self.tally.pixels[i].count == task.to {
+                expected[i].variance *= self.convergence.ratio[level(task.to / 2)];
+            }
+        }
+    }
+
+    /// The final picture.
+    fn finish(&self, expected: &[Expected]) {
+        let mut picture = self.picture.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        for (i, (samples, e)) in self.tally.pixels.iter().zip(expected).enumerate() {
+            let (x, y) = self.tally.place(i);
+            let mut pixel = samples.pixel();
+            if samples.count <= CENTRED {
+                let at = middle(&self.sequence(i), 0..samples.count);
+                pixel = centred(&pixel, &e.slope, at, &self.settings.light);
+            }
+            picture.set(x, y, pixel);
+        }
+    }
+
+    /// The final picture where not every pixel has samples.
+    fn fill(&self) {
+        let mut picture = self.picture.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        for (i, stand_in) in stand_ins(&self.tally).into_iter().enumerate() {
+            if let Some(j) = stand_in {
+                let (x, y) = self.tally.place(i);
+                picture.set(x, y, self.tally.pixels[j as usize].pixel());
+            }
+        }
+    }
+}
+
+/// Squared error of the whole picture, over its channels.
+fn total(expected: &[Expected]) -> f64 {
+    expected.iter().map(|e| f64::from(e.variance)).sum()
+}
+
+/// The mean place of samples relative to the pixel's centre.
+fn middle(sequence: &Sequence, numbers: Range<u32>) -> [f32; 2] {
+    let n = f64::from(numbers.end - numbers.start);
+    let sum = numbers.map(|k| sequence.offset(k)).fold((0.0, 0.0), |a, o| (a.0 + o.0, a.1 + o.1));
+    [(sum.0 / n) as f32, (sum.1 / n) as f32]
+}
+
+/// By how much light differs between two runs of samples because they lie at different places on a slope.
+fn shift(sequence: &Sequence, a: Range<u32>, b: Range<u32>, slope: &Slope) -> [f32; 3] {
+    if a.end - a.start > CENTRED || *slope == Slope::default() {
+        return [0.0; 3];
+    }
+    let (a, b) = (middle(sequence, a), middle(sequence, b));
+    slope.map(|s| s[0] * (b[0] - a[0]) + s[1] * (b[1] - a[1]))
+}
+
+/// A mean moved from where its samples lie to the pixel's centre. The slope is one of light.
+fn centred(pixel: &Pixel, slope: &Slope, at: [f32; 2], light: &Light) -> Pixel {
+    /// Over which light's own rise is measured.
+    const STEP: f32 = 1.0 / 256.0;
+    let mut channels = pixel.rgb.to_array();
+    for (c, s) in channels.iter_mut().zip(slope) {
+        let rise = (light.of(*c + STEP) - light.of(*c - STEP)) / (2.0 * STEP);
+        let shift = s[0] * at[0] + s[1] * at[1];
+        // Where light hardly follows the working value (beyond white), neither does the slope.
+        if rise > STEP {
+            *c -= (shift / rise).clamp(-0.5 * c.abs(), 0.5 * c.abs());
+        }
+    }
+    Pixel { rgb: channels.into(), ..*pixel }
+}
+
+/// Squared difference of two means in light; `shift` is what they differ by for a known reason.
+fn squared_distance(light: &Light, p: &Pixel, q: &Pixel, shift: [f32; 3]) -> f32 {
+    let (p, q) = (light.pixel(p), light.pixel(q));
+    (0..3).map(|k| (q[k] - p[k] - shift[k]).powi(2)).sum()
+}
