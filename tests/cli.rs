@@ -362,45 +362,57 @@ fn until(condition: impl Fn() -> bool) {
     }
 }
 
+/// Interrupts a process; how long it takes to end, and how it ends.
 #[cfg(unix)]
-#[test]
-fn ctrl_c_leaves_the_partial_picture() {
-    let folder = Folder::new("interrupt");
-    folder.write("slow.pov", SLOW);
-    folder.write("next.pov", SPHERE);
-    let mut command =
-        folder.command(&["render", "slow.pov", "next.pov", "-W", "2000", "-H", "1500", "--partial"]);
-    let child = command.stderr(Stdio::piped()).spawn().unwrap();
-    let picture = folder.path("slow.png");
-    until(|| picture.is_file());
-    let size = png_header(&std::fs::read(&picture).unwrap());
-    assert_eq!(size, (2000, 1500, false, 8), "the unfinished picture is whole as a file");
+fn stop(child: std::process::Child) -> (Duration, Output) {
     let stopped = Instant::now();
     interrupt(&child);
     let done = child.wait_with_output().unwrap();
-    assert!(stopped.elapsed() < Duration::from_secs(1), "{:?}", stopped.elapsed());
-    assert_eq!(code(&done), Some(130));
-    let text = stderr(&done);
-    assert!(text.contains("interrupted") && text.contains("slow.png"), "{text}");
-    assert_eq!(
-        folder.names(),
-        ["next.pov", "slow.png", "slow.pov"],
-        "the batch ends, no temporary file stays"
-    );
+    (stopped.elapsed(), done)
+}
+
+/// A machine that is busy with other tests may delay one try.
+#[cfg(unix)]
+fn stops_in_a_second(attempt: impl Fn() -> Duration) {
+    let tries: Vec<_> = (0..3).map(|_| attempt()).take_while(|t| *t >= Duration::from_secs(1)).collect();
+    assert!(tries.len() < 3, "{tries:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_the_partial_picture() {
+    stops_in_a_second(|| {
+        let folder = Folder::new("interrupt");
+        folder.write("slow.pov", SLOW);
+        folder.write("next.pov", SPHERE);
+        let args = ["render", "slow.pov", "next.pov", "-W", "800", "-H", "600", "--partial"];
+        let child = folder.command(&args).stderr(Stdio::piped()).spawn().unwrap();
+        let picture = folder.path("slow.png");
+        until(|| picture.is_file());
+        let size = png_header(&std::fs::read(&picture).unwrap());
+        assert_eq!(size, (800, 600, false, 8), "the unfinished picture is whole as a file");
+        let (took, done) = stop(child);
+        assert_eq!(code(&done), Some(130));
+        let text = stderr(&done);
+        assert!(text.contains("interrupted") && text.contains("slow.png"), "{text}");
+        let left = ["next.pov", "slow.png", "slow.pov"];
+        assert_eq!(folder.names(), left, "the batch ends, no temporary file stays");
+        took
+    });
 }
 
 #[cfg(unix)]
 #[test]
 fn ctrl_c_stops_an_endless_scene_text() {
-    let folder = Folder::new("endless");
-    folder.write("a.pov", "#declare I = 0; #while (1) #declare I = I + 1; #end");
-    let child = folder.command(&["render", "a.pov"]).stderr(Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(700));
-    let stopped = Instant::now();
-    interrupt(&child);
-    let done = child.wait_with_output().unwrap();
-    assert!(stopped.elapsed() < Duration::from_secs(1));
-    assert_eq!(code(&done), Some(130), "{}", stderr(&done));
+    stops_in_a_second(|| {
+        let folder = Folder::new("endless");
+        folder.write("a.pov", "#declare I = 0; #while (1) #declare I = I + 1; #end");
+        let child = folder.command(&["render", "a.pov"]).stderr(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(700));
+        let (took, done) = stop(child);
+        assert_eq!(code(&done), Some(130), "{}", stderr(&done));
+        took
+    });
 }
 
 /// A stand-in for POV-Ray: writes a given picture and the statistics.
@@ -462,4 +474,59 @@ fn crosscheck_compares_with_the_other_program() {
     let done = folder.glint(&[&args[..args.len() - 1], &["2"]].concat());
     assert_eq!(code(&done), Some(1), "one match is fewer than two");
     assert_eq!(runs() - before, 1, "only the version is asked for again");
+}
+
+/// The program under the name of POV-Ray, without the user's own INI files.
+#[cfg(unix)]
+fn as_povray(folder: &Folder, args: &[&str]) -> Output {
+    let link = folder.path("povray");
+    if !link.exists() {
+        std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_glint"), &link).unwrap();
+    }
+    let ini = folder.write("empty.ini", "");
+    Command::new(link)
+        .current_dir(&folder.0)
+        .args(args)
+        .env("POVINI", ini)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn under_the_name_of_povray_letters_mean_what_they_mean_there() {
+    let folder = Folder::new("povray");
+    folder.write("a.pov", SPHERE);
+    let done = as_povray(&folder, &["+Ia", "-Obig.tga", "+w40", "-H30", "-A", "-D", "+UA", "-GA"]);
+    assert_eq!((code(&done), stderr(&done).as_str()), (Some(0), ""));
+    assert_eq!(png_header(&std::fs::read(folder.path("big.tga.png")).unwrap()), (40, 30, true, 8));
+    let done = as_povray(&folder, &["a.pov", "Width=12", "Height=10", "+FP", "+O-", "-GA"]);
+    assert_eq!(code(&done), Some(0));
+    assert!(done.stdout.starts_with(b"P6\n12 10\n255\n") && done.stdout.len() == 13 + 360);
+    let done = as_povray(&folder, &["a.pov"]);
+    assert_eq!(png_header(&std::fs::read(folder.path("a.png")).unwrap()), (160, 120, false, 8));
+    assert_eq!(code(&done), Some(0));
+    for (args, exit) in
+        [(&["a.pov", "+Z"][..], 2), (&["a.pov", "Widht=3"], 2), (&["nosuch"], 3), (&["b.pov"], 3)]
+    {
+        assert_eq!(code(&as_povray(&folder, args)), Some(exit), "{args:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ini_files_and_frames() {
+    let folder = Folder::new("frames");
+    folder.write("a.pov", "#version 3.7; global_settings { assumed_gamma srgb } background { rgb clock }");
+    folder.write("all.ini", "Input_File_Name=a.pov\n+W4 +H2 ; small\n[anim]\nFinal_Frame=11\n");
+    let done = as_povray(&folder, &["all[anim]", "+SF10", "-D"]);
+    assert_eq!(code(&done), Some(0), "{}", stderr(&done));
+    assert_eq!(folder.names(), ["a.pov", "a10.png", "a11.png", "all.ini", "empty.ini", "povray"]);
+    let shade = |name| image::open(folder.path(name)).unwrap().to_rgb8().get_pixel(3, 1).0;
+    assert_eq!((shade("a10.png"), shade("a11.png")), ([230; 3], [255; 3]));
+    let done =
+        folder.command(&["+Ia.pov", "+W4", "+H2", "+Ob"]).env("POVINI", folder.path("empty.ini")).output();
+    assert_eq!(code(&done.unwrap()), Some(0));
+    assert!(folder.path("b.png").is_file());
 }

@@ -140,3 +140,33 @@ fn sampled_scenes_agree_in_the_mean() {
         assert!(failures.is_empty(), "{}", failures.join("\n"));
     });
 }
+
+/// Rows that show a built-in tolerance of the reference stand in `deviations.csv` with Glint's own value.
+#[test]
+fn deviations_are_as_noted() {
+    on_big_stack(|| {
+        let (classes, noted) = (classes(), deviations());
+        let mut seen = Vec::new();
+        for (name, oracle) in &oracles() {
+            if classes[name] != "tolerance" {
+                continue;
+            }
+            for (row, (color, _)) in oracle.rows.iter().zip(rendered(name, oracle, 0).unwrap()) {
+                let text = |c: [f64; 3]| format!("{:.6} {:.6} {:.6}", c[0], c[1], c[2]);
+                if (0..3).any(|i| (row.color[i] - color[i]).abs() > TOLERANCE) {
+                    let place = format!("{name} {} {}", row.x, row.y);
+                    seen.push(format!("3-oracle.csv,{place},{},{}", text(row.color), text(color)));
+                }
+            }
+        }
+        assert_eq!(seen, noted, "\n{}", seen.join("\n"));
+    });
+}
+
+/// The rows of `deviations.csv` that belong to `3-oracle.csv`, without their reasons.
+fn deviations() -> Vec<String> {
+    let path = format!("{}/tests/deviations.csv", env!("CARGO_MANIFEST_DIR"));
+    let all = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let ours = all.lines().filter(|l| l.starts_with("3-oracle.csv,"));
+    ours.filter_map(|l| l.rsplit_once(',').map(|(row, _)| row.to_owned())).collect()
+}

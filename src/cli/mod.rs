@@ -11,6 +11,7 @@ mod golden;
 mod interrupt;
 mod json;
 mod output;
+mod povray;
 mod progress;
 mod render;
 mod scene;
@@ -27,9 +28,7 @@ use syntax::Syntax;
 pub fn run(words: Vec<OsString>) -> u8 {
     let result = match syntax::of(&words) {
         Ok(Syntax::Glint(words)) => glint(words),
-        Ok(Syntax::Povray(_)) => {
-            Err(Failure::usage("POV-Ray's command-line syntax is not available yet; see glint --help"))
-        }
+        Ok(Syntax::Povray(words)) => povray::run(&words),
         Err(failure) => Err(failure),
     };
     let exit = result.unwrap_or_else(|failure| {

@@ -1,6 +1,7 @@
 //! Where a picture goes and in which format.
 
 use super::exit::Failure;
+use crate::picture::other::{self, Kind};
 use crate::picture::{Encoding, Output, Picture, PictureError, exr, png};
 use std::path::{Path, PathBuf};
 
@@ -9,9 +10,27 @@ use std::path::{Path, PathBuf};
 pub enum Format {
     Png,
     Exr,
+    Targa,
+    Ppm,
+    Bmp,
+    Jpeg,
+    Hdr,
 }
 
 impl Format {
+    /// The ending that POV-Ray gives to the file's name.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Format::Png => "png",
+            Format::Exr => "exr",
+            Format::Targa => "tga",
+            Format::Ppm => "ppm",
+            Format::Bmp => "bmp",
+            Format::Jpeg => "jpg",
+            Format::Hdr => "hdr",
+        }
+    }
+
     fn of(path: &Path) -> Result<Format, Failure> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         match extension.as_str() {
@@ -51,6 +70,11 @@ impl Target {
         let bytes = match self.format {
             Format::Png => png::encode(picture, encoding)?,
             Format::Exr => exr::encode(picture, encoding)?,
+            Format::Targa => other::encode(picture, encoding, Kind::Targa)?,
+            Format::Ppm => other::encode(picture, encoding, Kind::Ppm)?,
+            Format::Bmp => other::encode(picture, encoding, Kind::Bmp)?,
+            Format::Jpeg => other::encode(picture, encoding, Kind::Jpeg)?,
+            Format::Hdr => other::encode(picture, encoding, Kind::Hdr)?,
         };
         self.output.write(&bytes)
     }

@@ -366,7 +366,7 @@ impl Parser {
             }
             v[n] = self.float()?;
             n += 1;
-            self.comma_in_list(Punct::Greater)?;
+            self.comma()?;
         }
         let close = self.next()?;
         self.shallower();
@@ -375,14 +375,6 @@ impl Parser {
             return Err(Box::new(Diagnostic::error(span, "a vector has at least 2 components")));
         }
         Ok(Tuple(n as u8, v))
-    }
-
-    /// An optional comma, which must not end the list.
-    pub(super) fn comma_in_list(&mut self, close: Punct) -> Result<()> {
-        if self.accept_punct(Punct::Comma)? && self.peek()?.tok == Tok::Punct(close) {
-            return Err(self.unexpected("another item after the comma"));
-        }
-        Ok(())
     }
 
     /// `.x`, `.red` and so on behind a tuple.

@@ -151,7 +151,7 @@ impl Parser {
     /// reading below a library path too.
     pub(super) fn may_open(&self, path: &Path, writing: bool) -> bool {
         let Some(target) = absolute(path) else { return false };
-        let mut roots = vec![PathBuf::new()];
+        let mut roots = vec![PathBuf::from(".")];
         roots.extend(self.neighbour_folders().pop());
         if !writing {
             roots.extend(self.library_folders().into_iter().skip(1));

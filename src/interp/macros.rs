@@ -4,7 +4,7 @@ use super::stream::{Frame, Source};
 use super::symbols::{Binding, GLOBAL, Reference, Symbols};
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
-use crate::syntax::{Directive, Keyword, Punct, Symbol, Tok, Token};
+use crate::syntax::{Directive, Punct, Symbol, Tok, Token};
 use std::sync::Arc;
 
 /// A macro's parameters and body: a range of kept text.
@@ -38,9 +38,6 @@ impl Parser {
         } else {
             self.kept_body(directive, span)?
         };
-        if tokens[range.0..range.1].iter().any(|t| is_macro(t.tok)) {
-            return Err(Box::new(Diagnostic::error(span, "a macro is defined inside this macro's body")));
-        }
         let definition = Macro { parameters, tokens, range, span };
         self.symbols.bind(symbol, GLOBAL, Binding::Macro(Arc::new(definition)));
         Ok(())
@@ -202,8 +199,4 @@ impl Parser {
 
 fn plural(count: usize) -> &'static str {
     if count == 1 { "" } else { "s" }
-}
-
-fn is_macro(tok: Tok) -> bool {
-    matches!(tok, Tok::Directive(d) if d.word == Keyword::Macro)
 }

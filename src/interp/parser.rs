@@ -41,6 +41,10 @@ pub struct Parser {
     pub(super) camera_given: bool,
     /// Files read so far.
     pub(super) loaded: HashMap<PathBuf, FileId>,
+    /// Images read so far.
+    pub(super) images: Vec<super::grammar::LoadedImage>,
+    /// What is said when a name is used.
+    pub(super) deprecated: HashMap<Symbol, Arc<str>>,
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
     pub(super) text: super::string::TextState,
@@ -101,6 +105,8 @@ impl Parser {
             spoken: false,
             camera_given: false,
             loaded: HashMap::new(),
+            images: Vec::new(),
+            deprecated: HashMap::new(),
             passes: 0,
             text: Default::default(),
             random: Vec::new(),
@@ -150,12 +156,28 @@ impl Parser {
                     }
                     self.call_macro(name, token.span)?;
                 }
+                Tok::Punct(Punct::Hash) => self.lone_hash(token)?,
                 _ => {
+                    if !self.deprecated.is_empty()
+                        && let Tok::Identifier(name) = token.tok
+                    {
+                        self.warn_deprecated(token, name);
+                    }
                     self.ahead = Ahead::Ready(token);
                     return Ok(token);
                 }
             }
         }
+    }
+
+    /// `#` without a word of the language: an unknown directive, or nothing if no name follows.
+    fn lone_hash(&mut self, token: Token) -> Result<()> {
+        if let Tok::Identifier(_) = self.glance()? {
+            let name = self.raw()?;
+            return Err(self.unexpected_token(name, "a directive"));
+        }
+        self.warn(Diagnostic::warning(token.span, "this `#` has no directive behind it"));
+        Ok(())
     }
 
     fn holds(&self) -> bool {

@@ -11,7 +11,7 @@ impl Parser {
     /// `#version v;`, behind the word.
     pub(super) fn version_directive(&mut self) -> Result<()> {
         if let Tok::Identifier(name) = self.peek_operand()?.tok
-            && matches!(self.name(name), "unofficial" | "official")
+            && self.name(name) == "unofficial"
         {
             self.next()?;
         }
@@ -36,25 +36,27 @@ impl Parser {
             self.warn(Diagnostic::warning(span, text).with_hint("put it on the first line"));
         }
         self.version.set(version as u32);
-        self.end_statement(span, true)
+        if !self.accept_raw(Punct::Semicolon)? && version >= 310.0 {
+            self.warn(Diagnostic::warning(after(span), "`;` is missing").with_label(MISSING_SEMICOLON));
+        }
+        Ok(())
     }
 
     /// The semicolon behind an assignment. `required`: since version 3.5 it must not be left out.
-    pub(super) fn end_statement(&mut self, span: Span, required: bool) -> Result<()> {
+    pub(super) fn end_assignment(&mut self, span: Span, required: bool) -> Result<()> {
         if self.accept_raw(Punct::Semicolon)? || !required {
             return Ok(());
         }
         let version = self.syntax_version();
-        let after = Span { start: span.end.saturating_sub(1), ..span };
         if version >= 350 {
             return Err(Box::new(
-                Diagnostic::error(after, "`;` is missing").with_label("expected `;` behind this").with_hint(
+                Diagnostic::error(after(span), "`;` is missing").with_label(MISSING_SEMICOLON).with_hint(
                     "numbers, vectors and colors are assigned with `;` at the end since version 3.5",
                 ),
             ));
         }
         if version >= 310 {
-            self.warn(Diagnostic::warning(after, "`;` is missing").with_label("expected `;` behind this"));
+            self.warn(Diagnostic::warning(after(span), "`;` is missing").with_label(MISSING_SEMICOLON));
         }
         Ok(())
     }
@@ -89,6 +91,13 @@ impl Parser {
         self.scene.scene.globals.max_trace_level = level.clamp(1.0, 256.0) as u32;
         Ok(())
     }
+}
+
+const MISSING_SEMICOLON: &str = "expected `;` behind this";
+
+/// The last byte of a span.
+fn after(span: Span) -> Span {
+    Span { start: span.end.saturating_sub(1).max(span.start), ..span }
 }
 
 /// Text longer than the first length is cut to the second; characters above 127 become spaces.

@@ -23,6 +23,11 @@ impl Parser {
         self.text.utf8 = utf8;
     }
 
+    /// Whether strings are read as UTF-8.
+    pub(crate) fn is_utf8(&self) -> bool {
+        self.text.utf8
+    }
+
     /// Whether a string expression comes next.
     pub(super) fn at_string(&mut self) -> Result<bool> {
         use Keyword::*;

@@ -2,7 +2,7 @@
 
 use super::macros::Macro;
 use super::value::Value;
-use crate::syntax::{SPELLINGS, Symbol};
+use crate::syntax::{Interner, Symbol};
 use std::sync::Arc;
 
 /// What a name is bound to.
@@ -49,14 +49,15 @@ impl Symbols {
     }
 
     /// A name that no text can spell; it stands for an array element already looked up.
-    pub const ELEMENT: Symbol = Symbol(SPELLINGS.len() as u32);
+    pub const ELEMENT: Symbol = Interner::NAMELESS;
 
     /// How many tables are open above the global one.
     pub fn depth(&self) -> usize {
         self.scopes.len()
     }
 
-    fn innermost(&self) -> u32 {
+    /// The number of the innermost table.
+    pub fn innermost(&self) -> u32 {
         self.scopes.len() as u32
     }
 
@@ -171,6 +172,14 @@ impl Symbols {
             self.scopes[scope as usize - 1].retain(|s| *s != symbol);
         }
         true
+    }
+
+    /// Removes a name from the innermost table that has it; false if none has.
+    pub fn remove_innermost(&mut self, symbol: Symbol) -> bool {
+        match self.slots.get(symbol.0 as usize).and_then(|slot| slot.last()) {
+            Some(entry) => self.remove(symbol, entry.scope),
+            None => false,
+        }
     }
 
     /// Every name with a meaning now.

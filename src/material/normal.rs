@@ -5,6 +5,7 @@
 //! lengths alone until the end.
 
 use crate::math::{Transform, Vec3};
+use crate::pattern::image::ImageMap;
 use crate::pattern::{BlendMap, Blended, Chain, Context, Signal};
 use std::sync::Arc;
 
@@ -34,6 +35,8 @@ pub enum NormalKind {
     Flat,
     Patterned,
     Average,
+    /// The slopes of an image's heights.
+    Image(ImageMap),
     /// The inner normal at the surface's (u, v, 0).
     Uv(Arc<Normal>),
 }
@@ -95,6 +98,10 @@ impl Normal {
             NormalKind::Average => {
                 let m = frame.enter(n);
                 frame.leave(self.average(m, self.signal.warp_alone(p), context))
+            }
+            NormalKind::Image(map) => {
+                let m = frame.enter(n);
+                frame.leave(map.perturb(m, self.amount, self.signal.warp_alone(p)))
             }
             NormalKind::Patterned => {
                 let m = frame.enter(n);

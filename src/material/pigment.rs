@@ -1,6 +1,7 @@
 use crate::color::{Color, grey};
 use crate::function::{Surroundings, VectorFunction, VectorKind};
 use crate::math::Vec3;
+use crate::pattern::image::{ImageMap, OUTSIDE};
 use crate::pattern::{BlendMap, Blended, ColorMap, Context, Pattern, Setting, Signal};
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ pub enum PigmentKind {
     Patterned,
     /// The weighted mean of the map's items.
     Average,
+    Image(ImageMap),
     /// The inner pigment at the surface's (u, v, 0).
     Uv(Arc<Pigment>),
 }
@@ -69,6 +71,7 @@ impl Pigment {
         self.opaque = match (&self.kind, &self.map) {
             (PigmentKind::Plain(color), _) => !color.is_transparent(),
             (PigmentKind::Patterned, None) => true,
+            (PigmentKind::Image(map), _) => map.is_opaque(),
             (PigmentKind::Patterned | PigmentKind::Average, Some(PigmentMap::Colors(map))) => opaque_map(map),
             _ => self.children().all(|p| p.opaque),
         };
@@ -96,6 +99,7 @@ impl Pigment {
             PigmentKind::Plain(color) => Some(*color),
             PigmentKind::Patterned => Some(self.patterned(p, context)),
             PigmentKind::Average => self.average(p, context),
+            PigmentKind::Image(map) => map.color(self.signal.warp_alone(p)),
             PigmentKind::Uv(inner) => {
                 let uv = context.hit?.uv;
                 inner.color(uv.extend(0.0), context)
@@ -105,7 +109,7 @@ impl Pigment {
 
     /// The colour, with what shows outside an image: clear white.
     pub fn color_or_clear(&self, p: Vec3, context: &Context) -> Color {
-        self.color(p, context).unwrap_or(Color::new(1.0, 1.0, 1.0, 0.0, 1.0))
+        self.color(p, context).unwrap_or(OUTSIDE)
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 use super::normal::Frame;
 use super::{Finish, Normal, Pigment};
 use crate::math::{Transform, Vec3};
+use crate::pattern::image::ImageMap;
 use crate::pattern::{BlendMap, Blended, Context, Signal};
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -37,6 +38,8 @@ pub enum PatternedKind {
     /// `texture_map`, lists.
     Blended,
     Average,
+    /// The item that an image's index names.
+    Material(ImageMap),
     /// The item at the surface's (u, v, 0).
     Uv,
 }
@@ -139,6 +142,13 @@ impl PatternedTexture {
         Frame { chain: &self.signal.chain, scale_bumps: self.scale_bumps }
     }
 
+    /// An index above the number of textures goes around; one that equals it means the last.
+    fn material(&self, image: &ImageMap, q: Vec3) -> &Texture {
+        let count = self.map.len();
+        let index = image.coordinates(q).map_or(0, |(u, v)| image.material_at(u, v) as usize);
+        self.map.item(if index > count { index % count } else { index })
+    }
+
     fn gather<'a>(
         &'a self,
         p: Vec3,
@@ -163,6 +173,10 @@ impl PatternedTexture {
                 for (share, texture) in self.map.iter() {
                     texture.gather(q, weight * (share / total) as f32, frames, context, out);
                 }
+            }
+            PatternedKind::Material(image) => {
+                let q = self.signal.warp_alone(p);
+                self.material(image, q).gather(q, weight, frames, context, out);
             }
             PatternedKind::Uv => {
                 let q = context.hit.map_or(p, |hit| hit.uv.extend(0.0));

@@ -71,6 +71,38 @@ pub fn first_root(c: &[f64], range: Range) -> Option<f64> {
     roots(c, range, Touching::Skip).first().copied()
 }
 
+/// The sign changes between two ends whose values the caller knows, so that pieces of a curve agree about
+/// the points where they meet. A value of 0 counts as positive.
+pub fn sign_changes(c: &[f64], low: (f64, f64), high: (f64, f64)) -> Roots {
+    let mut out = Roots::new();
+    let c = trimmed(c);
+    let positive = |f: f64| if f == 0.0 { f64::MIN_POSITIVE } else { f };
+    let (low, high) = ((low.0, positive(low.1)), (high.0, positive(high.1)));
+    if c.len() < 3 {
+        if (low.1 < 0.0) != (high.1 < 0.0) {
+            let root = if c.len() == 2 { -c[0] / c[1] } else { 0.5 * (low.0 + high.0) };
+            out.push(root.clamp(low.0, high.0));
+        }
+        return out;
+    }
+    let slope = derivative(c);
+    let mut turns = Roots::new();
+    collect(trimmed(&slope), low.0, high.0, Touching::Skip, &mut turns);
+    between_turns(c, low, high, &turns, Touching::Skip, &mut out);
+    out
+}
+
+/// `a * b`.
+pub fn product<const A: usize, const B: usize, const N: usize>(a: [f64; A], b: [f64; B]) -> [f64; N] {
+    let mut out = [0.0; N];
+    for (i, x) in a.iter().enumerate() {
+        for (j, y) in b.iter().enumerate() {
+            out[i + j] += x * y;
+        }
+    }
+    out
+}
+
 fn trimmed(c: &[f64]) -> &[f64] {
     let n = c.iter().rposition(|&k| k != 0.0).map_or(0, |i| i + 1);
     &c[..n]
@@ -93,7 +125,8 @@ fn collect(c: &[f64], lo: f64, hi: f64, touching: Touching, out: &mut Roots) {
             let slope = derivative(c);
             let mut turns = Roots::new();
             collect(trimmed(&slope), lo, hi, Touching::Skip, &mut turns);
-            between_turns(c, lo, hi, &turns, touching, out);
+            let (low, high) = ((lo, value_beside(c, lo, 1.0)), (hi, value_beside(c, hi, -1.0)));
+            between_turns(c, low, high, &turns, touching, out);
         }
     }
 }
@@ -125,11 +158,18 @@ fn quadratic(c: &[f64], lo: f64, hi: f64, touching: Touching, out: &mut Roots) {
 }
 
 /// One root per monotone piece whose ends differ in sign. `turns` are the derivative's sign changes.
-fn between_turns(c: &[f64], lo: f64, hi: f64, turns: &[f64], touching: Touching, out: &mut Roots) {
-    let mut left = (lo, value_beside(c, lo, 1.0));
-    for (i, &x) in turns.iter().chain(std::iter::once(&hi)).enumerate() {
+fn between_turns(
+    c: &[f64],
+    low: (f64, f64),
+    high: (f64, f64),
+    turns: &[f64],
+    touching: Touching,
+    out: &mut Roots,
+) {
+    let mut left = low;
+    for (i, &x) in turns.iter().chain(std::iter::once(&high.0)).enumerate() {
         let is_end = i == turns.len();
-        let f = if is_end { value_beside(c, hi, -1.0) } else { value(c, x) };
+        let f = if is_end { high.1 } else { value(c, x) };
         if touching == Touching::Once && !is_end && f.abs() <= TOUCH * magnitude(c, x) {
             push_distinct(x, out);
             // The sign beyond comes from the next turn; a root is not sought in the two pieces beside.
@@ -139,7 +179,7 @@ fn between_turns(c: &[f64], lo: f64, hi: f64, turns: &[f64], touching: Touching,
         if f == 0.0 {
             continue;
         }
-        if left.1 * f < 0.0 || (left.1 != 0.0 && left.1.is_sign_negative() != f.is_sign_negative()) {
+        if left.1 != 0.0 && (left.1 < 0.0) != (f < 0.0) {
             push_distinct(bracketed(c, left, (x, f)), out);
         }
         left = (x, f);

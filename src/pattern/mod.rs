@@ -14,6 +14,7 @@ mod checker;
 mod crackle;
 mod cubic;
 mod cylindrical;
+mod density_file;
 mod dents;
 mod facets;
 mod fractal;
@@ -21,12 +22,14 @@ mod function;
 mod gradient;
 mod granite;
 mod hexagon;
+pub mod image;
 mod lattice_points;
 mod leopard;
 mod map;
 mod marble;
 mod object;
 mod onion;
+mod pavement;
 mod planar;
 mod quilted;
 mod radial;
@@ -36,6 +39,7 @@ mod slope;
 mod spherical;
 mod spiral;
 mod square;
+mod tiling;
 mod triangular;
 pub mod warp;
 mod wave;
@@ -56,6 +60,7 @@ pub use checker::Checker;
 pub use crackle::Crackle;
 pub use cubic::Cubic;
 pub use cylindrical::Cylindrical;
+pub use density_file::DensityFile;
 pub use dents::Dents;
 pub use facets::Facets;
 pub use fractal::{Fractal, FractalKind, Magnet};
@@ -68,6 +73,7 @@ pub use map::{BlendMap, Blended, ColorMap};
 pub use marble::Marble;
 pub use object::InsideOut;
 pub use onion::Onion;
+pub use pavement::Pavement;
 pub use planar::Planar;
 pub use quilted::Quilted;
 pub use radial::Radial;
@@ -77,6 +83,7 @@ pub use slope::{Altitude, Slope, SlopeDirection};
 pub use spherical::Spherical;
 pub use spiral::Spiral;
 pub use square::Square;
+pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use warp::Warp;
 pub use wave::Wave;
@@ -177,6 +184,9 @@ pub enum Modifier {
     Exterior(u32, f64),
     Interior(u32, f64),
     Interpolate(u32),
+    Sides(u32),
+    Tiles(u32),
+    Number(u32),
 }
 
 /// A scalar field over space: a point of the pattern's own space to its raw value.

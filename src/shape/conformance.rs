@@ -21,6 +21,17 @@ fn surface(shape: impl Shape + 'static) -> Subject {
     Subject { shape: Arc::new(shape), flips: false, outward: false }
 }
 
+/// A closed quartic without symmetry: x⁴ + y⁴ + z⁴ + x y² - z x² + … = 2.
+fn algebraic() -> Algebraic {
+    let mut c = vec![0.0; Algebraic::count(4)];
+    let terms =
+        [(4, 0, 0, 1.0), (0, 4, 0, 1.2), (0, 0, 4, 0.8), (1, 2, 0, 0.5), (2, 0, 1, -0.4), (0, 0, 0, -2.0)];
+    for (i, j, k, value) in terms {
+        c[Algebraic::position(4, i, j, k)] = value;
+    }
+    Algebraic::new(4, c).unwrap()
+}
+
 fn subjects() -> Vec<Subject> {
     let v = Vec3::new;
     vec![
@@ -33,8 +44,29 @@ fn subjects() -> Vec<Subject> {
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.0, v(0.7, 1.6, 0.4), 0.85, false).unwrap()),
         solid(Cone::new(v(0.2, -0.9, 0.1), 0.6, v(0.7, 1.6, 0.4), -0.45, false).unwrap()),
         solid(Torus::new(1.4, 0.45)),
+        solid(Quadric::new(v(0.6, 1.1, 0.4), v(0.2, -0.1, 0.3), v(0.3, -0.2, 0.1), -1.3)),
+        solid(Quadric::new(v(1.1, -0.7, 0.9), v(0.1, 0.0, 0.2), v(0.1, -0.2, 0.1), -0.6)),
+        solid(algebraic()),
         Subject { outward: false, ..solid(closed_mesh()) },
+        solid(isosurface()),
         surface(Torus::new(0.5, 0.8)),
+        Subject { outward: false, ..solid(prism(CurveKind::Cubic, Sweep::Linear)) },
+        Subject { outward: false, ..solid(prism(CurveKind::Linear, Sweep::Conic)) },
+        Subject { outward: false, ..solid(ring()) },
+        solid(Sor::new(&vase(), false).unwrap()),
+        surface(Sor::new(&vase(), true).unwrap()),
+        solid(Superellipsoid::new(0.4, 1.3).unwrap()),
+        solid(Superellipsoid::new(2.6, 1.7).unwrap()),
+        solid(Ovus::new(1.1, 0.6)),
+        solid(Ovus::new(0.7, 1.2)),
+        solid(Ovus::new(0.3, 1.2)),
+        solid(SphereSweep::new(SweepKind::Linear, &beads()[..3])),
+        solid(SphereSweep::new(SweepKind::Cubic, &beads())),
+        solid(SphereSweep::new(SweepKind::BSpline, &beads())),
+        solid(drops()),
+        solid(Quadric::new(v(1.3, 0.6, 2.1), v(0.2, -0.3, 0.1), v(0.4, 0.1, -0.2), -1.2)),
+        solid(Quadric::new(v(1.0, -0.5, 1.3), v(0.1, 0.0, 0.2), v(0.0, 0.1, 0.0), -0.5)),
+        solid(tangle()),
         surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),
         surface(Triangle::new(v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)).unwrap()),
         surface(
@@ -58,6 +90,23 @@ fn subjects() -> Vec<Subject> {
     ]
 }
 
+/// A ball with dents, cut off by its container.
+fn isosurface() -> Isosurface {
+    #[derive(Debug)]
+    struct Dented;
+    impl crate::math::field::Field for Dented {
+        fn value(&self, p: Vec3) -> f64 {
+            p.length() - 1.3 + 0.1 * (3.0 * p.x).sin() * (4.0 * p.y).cos()
+        }
+    }
+    let mut surface = Isosurface::new(Arc::new(Dented));
+    surface.container = Container::cuboid(Vec3::new(-1.1, -1.6, -1.7), Vec3::new(1.5, 1.8, 1.4));
+    surface.max_gradient = 1.6;
+    surface.accuracy = 1e-5;
+    surface.max_trace = 10;
+    surface
+}
+
 /// An irregular octahedron with an inside.
 fn closed_mesh() -> Mesh {
     let vertices = vec![
@@ -71,6 +120,66 @@ fn closed_mesh() -> Mesh {
     let faces = (0..8).map(|i| [i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2)]).collect();
     let inside_vector = Some(Vec3::new(0.1, 0.2, 1.0));
     MeshBuilder { vertices, faces, inside_vector, kind: "mesh", ..Default::default() }.build()
+}
+
+fn prism(kind: CurveKind, sweep: Sweep) -> Prism {
+    let points = [[1.2, -0.9], [-1.1, -1.3], [-0.8, 1.2], [1.3, 0.7], [1.2, -0.9], [-1.1, -1.3], [-0.8, 1.2]];
+    let points = points.map(Vec2::from_array);
+    let used = if kind == CurveKind::Linear { &points[..5] } else { &points[..] };
+    let (pieces, _) = closed_curves(kind, used).unwrap();
+    Prism::new(pieces, [0.35, 1.4], sweep, false)
+}
+
+/// A lathe whose profile is closed.
+fn ring() -> Lathe {
+    let points = [[0.6, -0.8], [1.5, -0.4], [1.2, 0.9], [0.4, 0.6], [0.6, -0.8]].map(Vec2::from_array);
+    Lathe::new(open_curve(CurveKind::Linear, &points))
+}
+
+fn vase() -> [Vec2; 6] {
+    [[0.1, -1.3], [0.6, -1.1], [0.9, -0.3], [0.4, 0.4], [0.7, 1.1], [0.3, 1.5]].map(Vec2::from_array)
+}
+
+fn beads() -> [(Vec3, f64); 5] {
+    let v = Vec3::new;
+    [
+        (v(-1.4, -0.5, 0.1), 0.35),
+        (v(-0.6, 0.4, -0.2), 0.3),
+        (v(0.2, -0.3, 0.4), 0.55),
+        (v(0.9, 0.6, -0.1), 0.25),
+        (v(1.5, 0.1, 0.3), 0.4),
+    ]
+}
+
+fn drops() -> Blob {
+    let v = Vec3::new;
+    let squeezed = Transform::scale(v(0.7, 1.4, 0.9)).then(&Transform::rotate(v(0.0, 20.0, 35.0)));
+    let components = vec![
+        BlobComponent::sphere(v(0.5, 0.1, 0.0), 1.1, 1.3).unwrap(),
+        BlobComponent::cylinder(v(-0.9, 0.3, 0.2), v(0.4, -0.7, 0.3), 0.7, 0.9).unwrap(),
+        BlobComponent::sphere(v(-0.2, 0.6, -0.3), 0.8, 1.2).unwrap().transformed(&squeezed),
+        BlobComponent::sphere(v(0.3, 0.1, -0.6), 0.6, -0.8).unwrap(),
+    ];
+    Blob::new(components, 0.45)
+}
+
+/// x⁴ + y⁴ + z⁴ - 2 (x² + y² + z²) + 0.3 xy + 1.4 = 0
+fn tangle() -> Algebraic {
+    let mut c = vec![0.0; Algebraic::count(4)];
+    let terms = [
+        (4, 0, 0, 1.0),
+        (0, 4, 0, 1.0),
+        (0, 0, 4, 1.0),
+        (2, 0, 0, -2.0),
+        (0, 2, 0, -2.0),
+        (0, 0, 2, -2.0),
+        (1, 1, 0, 0.3),
+        (0, 0, 0, 1.4),
+    ];
+    for (i, j, k, v) in terms {
+        c[Algebraic::position(4, i, j, k)] = v;
+    }
+    Algebraic::new(4, c).unwrap()
 }
 
 fn placements() -> [Transform; 2] {
@@ -118,7 +227,7 @@ fn stage(shape: &dyn Shape) -> Aabb {
 fn rays(shape: &dyn Shape, random: &mut Random) -> Vec<Ray> {
     let stage = stage(shape);
     let size = stage.size().max_element();
-    (0..600)
+    (0..300)
         .map(|i| {
             let target = random.in_box(&stage);
             let away = random.direction();

@@ -24,7 +24,7 @@ impl Cuboid {
     }
 
     /// Entry and exit of a line, in this order.
-    fn ends(&self, ray: &Ray) -> Option<[Crossing; 2]> {
+    pub(super) fn ends(&self, ray: &Ray) -> Option<[Crossing; 2]> {
         let mut enter = (f64::NEG_INFINITY, 0);
         let mut leave = (f64::INFINITY, 0);
         for axis in 0..3 {

@@ -1,33 +1,61 @@
 //! Shapes: what a ray crosses, in the shape's own space. One file each.
 
+mod algebraic;
+mod blob;
 mod cone;
 #[cfg(test)]
 mod conformance;
+mod container;
 mod cuboid;
+mod curve;
 mod cylinder;
 mod disc;
 mod empty;
+pub mod font;
+mod glyph;
+mod isosurface;
+mod lathe;
 pub mod mesh;
+mod ovus;
 mod plane;
 mod polygon;
+mod prism;
+mod quadric;
+mod sor;
 mod span;
 mod sphere;
+mod sphere_sweep;
+mod superellipsoid;
 mod torus;
 mod triangle;
 
+pub use algebraic::Algebraic;
+pub use blob::{Blob, BlobComponent};
 pub use cone::Cone;
+pub use container::Container;
 pub use cuboid::Cuboid;
+pub use curve::CurveKind;
+pub(crate) use curve::{closed_curves, open_curve};
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use empty::Empty;
+pub use glyph::{Glyph, Segment};
+pub use isosurface::Isosurface;
+pub use lathe::Lathe;
 pub use mesh::{Mesh, MeshBuilder};
+pub use ovus::Ovus;
 pub use plane::Plane;
 pub use polygon::{Polygon, is_closed as is_closed_polygon};
+pub use prism::{Prism, Sweep};
+pub use quadric::Quadric;
+pub use sor::{Sor, SorError};
 pub use sphere::Sphere;
+pub use sphere_sweep::{SphereSweep, SweepKind};
+pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::{SmoothTriangle, Triangle};
 
-use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
+use crate::math::{Aabb, EPSILON, Range, Ray, Transform, Vec2, Vec3};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -103,6 +131,11 @@ pub trait Shape: Debug + Send + Sync {
     /// The shape that `inverse` turns this one into, where that is not its complement with the normal
     /// turned round. It replaces the shape, and is not inverted any further.
     fn inverse(&self) -> Option<Arc<dyn Shape>> {
+        None
+    }
+
+    /// The same shape made ready for its place in the world, where that matters.
+    fn placed(&self, _to_world: &Transform) -> Option<Arc<dyn Shape>> {
         None
     }
 

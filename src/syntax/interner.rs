@@ -14,11 +14,15 @@ impl Default for Interner {
         for (text, _) in SPELLINGS {
             names.intern(text.as_bytes());
         }
+        names.intern(b"");
         Self { names, strings: Table::default() }
     }
 }
 
 impl Interner {
+    /// The empty name, which no text can spell.
+    pub const NAMELESS: Symbol = Symbol(SPELLINGS.len() as u32);
+
     pub fn name(&mut self, bytes: &[u8]) -> Symbol {
         Symbol(self.names.intern(bytes))
     }
@@ -122,6 +126,7 @@ mod tests {
         assert_eq!(interner.name(b"Leaf"), a);
         assert_ne!(interner.name(b"leaf"), a);
         assert_eq!(interner.spelling(a), "Leaf");
+        assert_eq!(interner.name(b""), Interner::NAMELESS);
     }
 
     #[test]

@@ -65,7 +65,8 @@ impl Tracer<'_> {
             return color;
         }
         let dims = light.media_attenuation && light.media_interaction && self.needs.atmosphere;
-        if end > 0.0 && self.world.blocked(ray, Range::new(0.0, end)) {
+        let last = &mut self.blockers[source.number as usize];
+        if end > 0.0 && self.world.blocked(ray, Range::new(0.0, end), last) {
             return Rgb::ZERO;
         }
         if self.world.all_opaque() || end <= 0.0 {

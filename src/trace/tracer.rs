@@ -8,7 +8,7 @@ use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
 use crate::pattern::Context;
-use crate::world::{Hit, InteriorId, RayClass, World};
+use crate::world::{Blocker, Hit, InteriorId, RayClass, World};
 use std::sync::Arc;
 
 /// Stands for the length of a ray that meets nothing.
@@ -39,6 +39,8 @@ pub struct Tracer<'w> {
     pub(super) air: (u32, u32),
     /// Light that reaches the hits being shaded, shared by their layers: a stack.
     pub(super) lit: Vec<Option<Rgb>>,
+    /// What stopped the last shadow ray towards each light.
+    pub(super) blockers: Vec<Blocker>,
     /// Lamps of the area light being sampled.
     pub(super) lamps: Vec<Rgb>,
 }
@@ -94,6 +96,7 @@ impl<'w> Tracer<'w> {
             media_of: Vec::new(),
             air: (0, 0),
             lit: Vec::new(),
+            blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
             lamps: Vec::new(),
         };
         tracer.lens = Lens::new(&world.scene.camera, &tracer.context).map(Arc::new);

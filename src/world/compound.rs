@@ -151,7 +151,7 @@ fn same_side(geometry: &Geometry, ray: &Ray, a: &Found, b: &Found) -> bool {
 }
 
 /// Whether a ray may meet a box; true when in doubt.
-fn meets(b: &Aabb, ray: &Ray, range: Range) -> bool {
+pub(super) fn meets(b: &Aabb, ray: &Ray, range: Range) -> bool {
     let (mut near, mut far) = (range.min, range.max);
     for axis in 0..3 {
         let (o, d) = (ray.origin[axis], ray.dir[axis]);

@@ -199,6 +199,7 @@ impl Flattened {
         let replacement = if inverted { shape.inverse() } else { None };
         let inverted = inverted && replacement.is_none();
         let shape = replacement.unwrap_or_else(|| shape.clone());
+        let shape = shape.placed(&to_world).unwrap_or(shape);
         let bounds = if inverted {
             Aabb::INFINITE
         } else if outer.in_intersection {
@@ -326,7 +327,7 @@ impl Flattened {
             self.projectors.push(solid);
             self.projectors.len() as u32 - 1
         });
-        let light = WorldLight { light: source.light.transformed(to_world), projected_through };
+        let light = WorldLight { light: source.light.transformed(to_world), projected_through, number: 0 };
         if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
     }
 

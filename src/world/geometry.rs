@@ -1,6 +1,6 @@
 //! Leaves and their combinations, and how rays and points meet them.
 
-use super::compound::Compound;
+use super::compound::{Compound, meets};
 use super::hit::{InteriorId, RayClass};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::{Aabb, EPSILON, Range, Ray, Transform, Vec3};
@@ -63,7 +63,7 @@ pub(super) struct Geometry {
     pub leaves: Vec<Leaf>,
     pub compounds: Vec<Compound>,
     pub roots: Vec<Root>,
-    /// Bounds of each root, until the tree is built.
+    /// Bounds of each root.
     pub root_bounds: Vec<Aabb>,
     /// Over the finite roots, by place in `finite`; `None` when they are too few.
     pub tree: Option<Bvh>,
@@ -122,25 +122,30 @@ impl Geometry {
         best
     }
 
-    /// Whether an opaque root that casts shadows lies inside `range`.
-    pub fn blocked(&self, ray: &Ray, range: Range) -> bool {
-        let mut found = false;
-        let mut visit = |index: u32, max: f64| {
+    /// Whether an opaque root that casts shadows lies inside `range`. `last` remembers which one did, and is
+    /// asked first: neighbouring rays are mostly stopped by the same object.
+    pub fn blocked(&self, ray: &Ray, range: Range, last: &mut u32) -> bool {
+        let stops = |index: u32| {
             let root = &self.roots[index as usize];
-            if root.opaque && root.hidden & RayClass::Shadow.bit() == 0 && self.meets(root.solid, ray, range)
-            {
-                found = true;
-                return f64::NEG_INFINITY;
-            }
-            max
+            root.opaque && root.hidden & RayClass::Shadow.bit() == 0 && self.meets(root.solid, ray, range)
         };
-        for &i in &self.infinite {
-            if visit(i, range.max) < range.max {
-                return true;
-            }
+        if *last != NONE && stops(*last) {
+            return true;
         }
-        self.visit_finite(ray, range, visit);
-        found
+        let mut found = |index: u32| {
+            let stopped = index != *last && stops(index);
+            if stopped {
+                *last = index;
+            }
+            stopped
+        };
+        if self.infinite.iter().any(|&i| found(i)) {
+            return true;
+        }
+        match &self.tree {
+            Some(tree) => tree.any(ray, range, |place| found(self.finite[place as usize])),
+            None => self.finite.iter().any(|&i| self.may_meet(i, ray, range) && found(i)),
+        }
     }
 
     /// Calls `visit` with the roots whose bounds the ray may meet.
@@ -152,11 +157,19 @@ impl Geometry {
         }
         let mut max = range.max;
         for &i in &self.finite {
-            max = visit(i, max);
+            if self.may_meet(i, ray, Range::new(range.min, max)) {
+                max = visit(i, max);
+            }
             if max <= range.min {
                 return;
             }
         }
+    }
+
+    /// Whether root `i` is worth asking without a tree: a combination takes longer than its box.
+    fn may_meet(&self, i: u32, ray: &Ray, range: Range) -> bool {
+        matches!(self.roots[i as usize].solid, Solid::Leaf(_))
+            || meets(&self.root_bounds[i as usize], ray, range)
     }
 
     /// The roots that contain `p`, in scene order.

@@ -52,6 +52,18 @@ pub struct WorldLight {
     pub light: Light,
     /// Index for [`World::projector`], if the light shines through an object.
     pub projected_through: Option<u32>,
+    /// Its place among all lights, those of groups behind the global ones.
+    pub number: u32,
+}
+
+/// The object that stopped the last shadow ray towards a light.
+#[derive(Clone, Copy, Debug)]
+pub struct Blocker(u32);
+
+impl Default for Blocker {
+    fn default() -> Self {
+        Self(NONE)
+    }
 }
 
 /// An object's interior where it stands.
@@ -65,8 +77,11 @@ pub(crate) struct Inside {
 impl World {
     pub fn prepare(mut scene: Scene) -> World {
         let objects = std::mem::take(&mut scene.objects);
-        let flat = Flattened::new(&objects);
+        let mut flat = Flattened::new(&objects);
         drop(objects);
+        for (i, light) in flat.lights.iter_mut().chain(&mut flat.group_lights).enumerate() {
+            light.number = i as u32;
+        }
         let all_opaque = flat.geometry.roots.iter().all(|r| r.opaque);
         World {
             scene,
@@ -115,9 +130,10 @@ impl World {
     }
 
     /// Whether any fully opaque object that casts shadows lies inside `range`; used before a shadow ray
-    /// is followed in full. False when only transparent ones do.
-    pub fn blocked(&self, ray: &Ray, range: Range) -> bool {
-        self.geometry.blocked(ray, range)
+    /// is followed in full. False when only transparent ones do. `last` only makes it faster: one per light
+    /// and thread, at first [`Blocker::default`].
+    pub fn blocked(&self, ray: &Ray, range: Range, last: &mut Blocker) -> bool {
+        self.geometry.blocked(ray, range, &mut last.0)
     }
 
     /// Whether no object lets light through: then [`World::blocked`] is the whole answer.

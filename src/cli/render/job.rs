@@ -11,7 +11,7 @@ use crate::picture::{Encoding, Picture, PictureError};
 use crate::render::render;
 use crate::trace::{Counters, Tracer};
 use crate::world::World;
-use std::path::Path;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
@@ -42,17 +42,24 @@ impl Live {
     }
 }
 
-/// One scene of a batch.
+/// One scene of a batch, or one frame.
+#[derive(Clone, Debug)]
+pub struct Task {
+    pub scene: PathBuf,
+    pub target: Target,
+    pub options: scene::Options,
+}
+
+/// A task being done.
 pub struct Job<'a> {
     plan: &'a Plan,
-    scene: &'a Path,
-    target: Target,
+    task: &'a Task,
     live: Mutex<Option<Arc<Live>>>,
 }
 
 impl<'a> Job<'a> {
-    pub fn new(plan: &'a Plan, scene: &'a Path, target: Target) -> Self {
-        Self { plan, scene, target, live: Mutex::new(None) }
+    pub fn new(plan: &'a Plan, task: &'a Task) -> Self {
+        Self { plan, task, live: Mutex::new(None) }
     }
 
     /// The picture, once tracing has begun.
@@ -63,7 +70,7 @@ impl<'a> Job<'a> {
     pub fn run(&self) -> Result<RenderReport, Failure> {
         let wall = Instant::now();
         let mut lap = Lap::new(&self.plan.counted);
-        let parsed = scene::parse(self.scene, &self.plan.options, self.plan.quiet)?;
+        let parsed = scene::parse(&self.task.scene, &self.task.options, self.plan.quiet)?;
         let parse_cpu_s = lap.next();
         let world = World::prepare(parsed.scene);
         let prepare_cpu_s = lap.next();
@@ -77,8 +84,8 @@ impl<'a> Job<'a> {
         live.target.write(&live.canvas.lock(), &live.encoding)?;
         let write_cpu_s = lap.next();
         Ok(RenderReport {
-            scene: self.scene.display().to_string(),
-            output: self.target.output.to_string(),
+            scene: self.task.scene.display().to_string(),
+            output: self.task.target.output.to_string(),
             width: self.plan.width,
             height: self.plan.height,
             threads: self.plan.pool.current_num_threads(),
@@ -104,7 +111,7 @@ impl<'a> Job<'a> {
         let live = Arc::new(Live {
             canvas: Canvas::new(Picture::new(self.plan.width, self.plan.height), self.plan.region.pixels()),
             encoding: self.plan.encoding(world.scene.globals.gamma),
-            target: self.target.clone(),
+            target: self.task.target.clone(),
         });
         *self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(live.clone());
         live

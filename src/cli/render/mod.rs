@@ -5,34 +5,47 @@ mod monitor;
 mod plan;
 mod report;
 
-use plan::Plan;
+pub use job::Task;
+pub use plan::{Plan, pool};
 
 use super::args::RenderArgs;
 use super::exit::{Exit, Failure};
-use super::output::Target;
+use super::output::{self, Target};
+use super::scene::Options;
 use super::{interrupt, json};
 use std::path::Path;
 
 pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     check(args)?;
     let plan = Plan::new(args)?;
+    let mut options = Options::new(&args.scene, plan.width, plan.height)?;
+    options.interp.output_alpha = args.alpha;
+    let task = |scene: &Path| {
+        let target = Target::new(scene, args.output.as_deref())?;
+        Ok(Task { scene: scene.to_owned(), target, options: options.clone() })
+    };
+    let tasks = args.scenes.iter().map(|s| task(s)).collect::<Result<Vec<_>, Failure>>()?;
+    run_all(&plan, &tasks, args.json)
+}
+
+/// Does all tasks. A bad one does not stop the others; the exit code remembers it.
+pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failure> {
     interrupt::listen();
     let mut exit = Exit::Done;
-    for scene in &args.scenes {
-        let target = Target::new(scene, args.output.as_deref());
-        match target.and_then(|target| monitor::render(&plan, scene, target)) {
+    for task in tasks {
+        match monitor::render(plan, task) {
             Ok(report) => {
-                if args.json {
+                if as_json {
                     json::print(&report)?;
                 }
-                if !args.quiet {
+                if !plan.quiet {
                     eprintln!("{}", report.line());
                 }
             }
             Err(failure) if failure.exit == Exit::Interrupted => return Err(failure),
             Err(failure) => {
-                if args.json {
-                    json::print(&json::Failed::new(scene, &failure))?;
+                if as_json {
+                    json::print(&json::Failed::new(&task.scene, &failure))?;
                 }
                 super::complain(&failure);
                 exit = exit.max(failure.exit);
@@ -45,8 +58,7 @@ pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
 /// Combinations that make no sense.
 fn check(args: &RenderArgs) -> Result<(), Failure> {
     let output = args.output.as_deref();
-    Target::new(Path::new("scene.pov"), output)?;
-    if args.scenes.len() > 1 && output.is_some_and(|o| !super::output::is_folder(o)) {
+    if args.scenes.len() > 1 && output.is_some_and(|o| !output::is_folder(o)) {
         return Err(Failure::usage(
             "several scenes need several pictures: give -o a folder, or leave it away",
         ));

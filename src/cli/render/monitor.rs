@@ -1,10 +1,9 @@
 //! Watches a render from outside: progress, partial pictures, Ctrl-C.
 
-use super::job::{Job, Live};
+use super::job::{Job, Live, Task};
 use super::plan::Plan;
 use super::report::RenderReport;
 use crate::cli::exit::{Exit, Failure};
-use crate::cli::output::Target;
 use crate::cli::progress::Display;
 use crate::cli::{interrupt, stack};
 use std::path::Path;
@@ -13,15 +12,15 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How often the monitor looks.
-const TICK: Duration = Duration::from_millis(50);
+const TICK: Duration = Duration::from_millis(25);
 /// How long a render may take to notice Ctrl-C before it is left behind.
-const PATIENCE: Duration = Duration::from_millis(400);
+const PATIENCE: Duration = Duration::from_millis(250);
 /// Between two partial pictures.
 const PARTIAL_INTERVAL: Duration = Duration::from_secs(3);
 
 /// Renders one scene on a thread of its own and watches it from this one.
-pub fn render(plan: &Plan, scene: &Path, target: Target) -> Result<RenderReport, Failure> {
-    let job = Job::new(plan, scene, target);
+pub fn render(plan: &Plan, task: &Task) -> Result<RenderReport, Failure> {
+    let job = Job::new(plan, task);
     thread::scope(|scope| {
         let (done, finished) = channel();
         let running = &job;
@@ -34,8 +33,8 @@ pub fn render(plan: &Plan, scene: &Path, target: Target) -> Result<RenderReport,
         let thread =
             thread::Builder::new().name("scene".into()).stack_size(stack::BYTES).spawn_scoped(scope, work);
         let thread = thread.map_err(|e| Failure::unavailable(format!("cannot start a thread: {e}")))?;
-        watch(&job, plan, scene, &finished);
-        thread.join().unwrap_or_else(|_| Err(stack::broken(scene)))
+        watch(&job, plan, &task.scene, &finished);
+        thread.join().unwrap_or_else(|_| Err(stack::broken(&task.scene)))
     })
 }
 

@@ -2,7 +2,6 @@
 
 use crate::cli::args::{Corners, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
-use crate::cli::scene::Options;
 use crate::color::Gamma;
 use crate::picture::{Encoding, FileGamma};
 use crate::render::{Antialias, Method, Region, Settings};
@@ -19,7 +18,6 @@ pub struct Plan {
     pub width: u32,
     pub height: u32,
     pub region: Region,
-    pub options: Options,
     /// The scene's gamma comes with the scene.
     pub antialias: Option<Antialias>,
     pub block_size: u32,
@@ -38,13 +36,10 @@ impl Plan {
     pub fn new(args: &RenderArgs) -> Result<Plan, Failure> {
         let p = &args.picture;
         let (width, height) = (p.width.unwrap_or(DEFAULT_SIZE.0), p.height.unwrap_or(DEFAULT_SIZE.1));
-        let mut options = Options::new(&args.scene, width, height)?;
-        options.interp.output_alpha = args.alpha;
         Ok(Plan {
             width,
             height,
             region: region(args.region, width, height)?,
-            options,
             antialias: antialias(p),
             block_size: Settings::BLOCK_SIZE,
             quality: p.quality.min(9),

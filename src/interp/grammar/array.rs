@@ -102,8 +102,9 @@ impl Parser {
         }
     }
 
-    /// `[i][j]…` behind a variable that is about to be assigned to or referred to.
-    pub(in crate::interp) fn subscripts(&mut self, reference: &mut Reference, span: Span) -> Result<()> {
+    /// `[i][j]…` behind a variable that is about to be assigned to or referred to; false if none come.
+    pub(in crate::interp) fn subscripts(&mut self, reference: &mut Reference, span: Span) -> Result<bool> {
+        let before = reference.path.len();
         while self.glance()? == Tok::Punct(Punct::LeftBracket) {
             let sizes = match self.symbols.target(reference) {
                 Some(Value::Array(array)) => array.sizes.clone(),
@@ -118,7 +119,7 @@ impl Parser {
             let index = self.flat_index(&sizes)?;
             reference.path.push(index);
         }
-        Ok(())
+        Ok(reference.path.len() > before)
     }
 
     /// One subscript per dimension, as the number of the element.

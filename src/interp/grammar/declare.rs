@@ -18,20 +18,36 @@ pub(in crate::interp) struct Target {
     symbol: Symbol,
     /// The variable or element, if the name is known.
     reference: Option<Reference>,
+    /// The innermost table when the name was read: macros on the right side may stand in another one.
+    scope: u32,
+    /// Whether that table has the name.
+    local: bool,
+    subscripted: bool,
     span: Span,
 }
 
 impl Parser {
     /// `#declare ID = …` and `#local ID = …`, behind the word.
     pub(in crate::interp) fn declare_directive(&mut self, local: bool) -> Result<()> {
-        self.deprecation()?;
+        let deprecation = self.deprecation()?;
         let target = self.assignment_target()?;
+        match deprecation {
+            Some(message) => {
+                self.deprecated.insert(target.symbol, message);
+            }
+            None if !self.deprecated.is_empty() => {
+                self.deprecated.remove(&target.symbol);
+            }
+            None => {}
+        }
         let equal = self.raw()?;
         if equal.tok != Tok::Punct(Punct::Equal) {
             return Err(self.unexpected_token(equal, "`=`"));
         }
         self.last = equal.span;
         self.deeper()?;
+        // Directives may choose the right side, but not cut it short.
+        self.peek_operand()?;
         let before = self.hold();
         let rvalue = self.rvalue();
         self.release(before);
@@ -43,22 +59,30 @@ impl Parser {
         } else {
             self.declare_target(target, value)?
         };
-        self.end_statement(span, numeric)
+        self.end_assignment(span, numeric)
     }
 
-    /// `deprecated [once] ["message"]`: read, and of no effect.
-    fn deprecation(&mut self) -> Result<()> {
+    /// `deprecated [once] ["message"]`: what is said when the name is used (at one place it is said once).
+    fn deprecation(&mut self) -> Result<Option<Arc<str>>> {
         if self.glance()? != Tok::Word(Keyword::Deprecated) {
-            return Ok(());
+            return Ok(None);
         }
         self.raw()?;
         if self.glance()? == Tok::Word(Keyword::Once) {
             self.raw()?;
         }
         if let Tok::String(_) = self.glance()? {
-            self.raw()?;
+            return self.string_value().map(Some);
         }
-        Ok(())
+        Ok(Some(Arc::from("this name is declared deprecated")))
+    }
+
+    /// Says that the name just read is deprecated, if it is.
+    pub(in crate::interp) fn warn_deprecated(&mut self, token: Token, name: Symbol) {
+        if let Some(message) = self.deprecated.get(&name) {
+            let message = message.as_ref().to_owned();
+            self.warn(Diagnostic::warning(token.span, message));
+        }
     }
 
     /// A name, with subscripts if it is an array.
@@ -76,10 +100,12 @@ impl Parser {
         };
         self.last = token.span;
         let mut reference = self.symbols.reference(symbol);
-        if let Some(reference) = &mut reference {
-            self.subscripts(reference, token.span)?;
-        }
-        Ok(Target { symbol, reference, span: token.span.to(self.last) })
+        let (scope, local) = (self.symbols.innermost(), self.symbols.is_local(symbol));
+        let subscripted = match &mut reference {
+            Some(reference) => self.subscripts(reference, token.span)?,
+            None => false,
+        };
+        Ok(Target { symbol, reference, scope, local, subscripted, span: token.span.to(self.last) })
     }
 
     /// What the left side holds now.
@@ -101,11 +127,12 @@ impl Parser {
     /// `#local`: only a name of the innermost table is overwritten.
     fn local_target(&mut self, target: Target, value: Value) -> Result<()> {
         match target.reference {
-            Some(reference) if self.symbols.is_local(target.symbol) || !reference.path.is_empty() => {
+            Some(reference) if target.local || target.subscripted => {
                 self.assign(&reference, value, target.span)
             }
             _ => {
-                self.symbols.bind_innermost(target.symbol, Binding::Value(value));
+                let scope = target.scope.min(self.symbols.innermost());
+                self.symbols.bind(target.symbol, scope, Binding::Value(value));
                 Ok(())
             }
         }
@@ -114,7 +141,8 @@ impl Parser {
     /// As `#local` does.
     pub(in crate::interp) fn assign_local(&mut self, symbol: Symbol, value: Value, span: Span) -> Result<()> {
         let reference = self.symbols.reference(symbol);
-        self.local_target(Target { symbol, reference, span }, value)
+        let (scope, local) = (self.symbols.innermost(), self.symbols.is_local(symbol));
+        self.local_target(Target { symbol, reference, scope, local, subscripted: false, span }, value)
     }
 
     fn assign(&mut self, reference: &Reference, value: Value, span: Span) -> Result<()> {
@@ -146,9 +174,8 @@ impl Parser {
         let target = self.assignment_target()?;
         let gone = match target.reference {
             None => false,
-            Some(reference) if reference.path.is_empty() => {
-                self.symbols.remove(reference.symbol, reference.scope)
-            }
+            // Of a parameter that stands for a variable only the parameter goes.
+            Some(_) if !target.subscripted => self.symbols.remove_innermost(target.symbol),
             Some(reference) => match self.symbols.place(&reference) {
                 Some(Place::Element { element, .. }) => element.take().is_some(),
                 _ => false,

@@ -109,7 +109,10 @@ impl Parser {
     fn charset(&mut self) -> Result<()> {
         let token = self.next()?;
         match token.tok {
-            Tok::Word(Keyword::Ascii | Keyword::Utf8 | Keyword::Sys) => Ok(()),
+            Tok::Word(word @ (Keyword::Ascii | Keyword::Utf8 | Keyword::Sys)) => {
+                self.set_charset(word != Keyword::Ascii);
+                Ok(())
+            }
             _ => Err(Box::new(Diagnostic::error(token.span, "expected `ascii`, `utf8` or `sys`"))),
         }
     }

@@ -63,7 +63,7 @@ impl Parser {
         if average && !self.at_expression()? {
             return Ok(1.0);
         }
-        let key = self.condition()?;
+        let key = self.float()?;
         self.comma()?;
         Ok(key as f32)
     }

@@ -60,16 +60,21 @@ impl Parser {
         self.next()?;
         match word {
             Keyword::VertexVectors => {
-                builder.vertices = self.list(|p| Ok(p.vector()?.as_vec3().to_array()))?
+                let mut list = Vec::new();
+                self.vectors(3, &mut list, |v| [v[0] as f32, v[1] as f32, v[2] as f32])?;
+                builder.vertices = list;
             }
             Keyword::NormalVectors => {
-                let normal = |p: &mut Parser| {
-                    let n = p.vector()?;
-                    Ok(unit_normal(p, n, token.span).as_vec3().to_array())
-                };
-                builder.normals = self.list(normal)?;
+                let mut list = Vec::new();
+                self.vectors(3, &mut list, |v| Vec3::new(v[0], v[1], v[2]))?;
+                builder.normals =
+                    list.into_iter().map(|n| unit_normal(self, n, token.span).as_vec3().to_array()).collect();
             }
-            Keyword::UvVectors => builder.uvs = self.list(|p| Ok(p.vector2()?.as_vec2().to_array()))?,
+            Keyword::UvVectors => {
+                let mut list = Vec::new();
+                self.vectors(2, &mut list, |v| [v[0] as f32, v[1] as f32])?;
+                builder.uvs = list;
+            }
             _ => {
                 let texture = |p: &mut Parser| {
                     let layers = p.texture_statement()?;
@@ -95,69 +100,55 @@ impl Parser {
         Ok(list)
     }
 
+    /// `{ n, <…>, … }`, vectors of so many components.
+    fn vectors<T>(
+        &mut self,
+        components: usize,
+        list: &mut Vec<T>,
+        mut entry: impl FnMut([f64; 5]) -> T,
+    ) -> Result<()> {
+        self.expect_punct(Punct::LeftBrace)?;
+        let count = self.count(0.0, MAX_ENTRIES, "a list", "entries")?;
+        self.comma()?;
+        list.reserve(count.min(RESERVED));
+        self.vector_list(count, components, &mut |v| list.push(entry(v)))?;
+        self.comma()?;
+        self.expect_punct(Punct::RightBrace)?;
+        Ok(())
+    }
+
     /// `face_indices { n, <a, b, c> [, texture [, texture, texture]] … }`.
     fn face_indices(&mut self, builder: &mut MeshBuilder, textures: usize) -> Result<()> {
         let token = self.expect(Keyword::FaceIndices)?;
-        let (vertices, mut chosen) = (builder.vertices.len(), Vec::new());
-        builder.faces = self.list(|p| {
-            let corners = p.corners(vertices, "a vertex")?;
-            let face_textures = p.face_texture_numbers(textures)?;
-            if textures > 0 {
-                chosen.push(face_textures);
+        self.expect_punct(Punct::LeftBrace)?;
+        let count = self.count(0.0, MAX_ENTRIES, "a list", "entries")?;
+        self.comma()?;
+        let (mut faces, mut chosen) = (Vec::with_capacity(count.min(RESERVED)), Vec::new());
+        let mut corners = Numbers::new(builder.vertices.len());
+        let mut textured = Numbers::new(textures);
+        self.numbered_vector_list(count, 3, &mut |v, numbers| {
+            faces.push(corners.of(&v[..3]));
+            if textures > 0 || !numbers.is_empty() {
+                chosen.push(face_textures(&mut textured, numbers));
             }
-            Ok(corners)
         })?;
-        builder.textures = chosen;
+        self.expect_punct(Punct::RightBrace)?;
+        corners.check(token.span, "a vertex")?;
+        textured.check(token.span, "a texture")?;
+        builder.faces = faces;
+        builder.textures = if textures > 0 { chosen } else { Vec::new() };
         if builder.faces.is_empty() {
             return Err(Box::new(Diagnostic::error(token.span, "there is no triangle in the mesh")));
         }
         Ok(())
     }
 
-    /// Numbers of three entries of a list.
-    fn corners(&mut self, length: usize, entry: &str) -> Result<Corners> {
-        let start = self.peek()?.span;
-        let v = self.vector()?;
-        let inside = |c: f64| c.trunc() >= 0.0 && c < length as f64;
-        if !v.to_array().into_iter().all(inside) {
-            let message = format!("{entry}'s number is out of range: there are {length}");
-            return Err(Box::new(Diagnostic::error(start, message)));
-        }
-        let Vec3 { x, y, z } = v;
-        Ok([x as u32, y as u32, z as u32])
-    }
-
-    /// None, one or three texture numbers after a face; a comma may stand before each.
-    fn face_texture_numbers(&mut self, length: usize) -> Result<Corners> {
-        let mut numbers = [NO_TEXTURE; 3];
-        for i in 0..3 {
-            self.comma()?;
-            if !self.at_plain_number()? {
-                break;
-            }
-            let span = self.peek()?.span;
-            let n = self.float()?;
-            if n.trunc() < 0.0 || n.is_nan() || n >= length as f64 {
-                let message = format!("a texture's number is out of range: there are {length}");
-                return Err(Box::new(Diagnostic::error(span, message)));
-            }
-            numbers[i] = n as u32;
-            if i == 0 {
-                numbers = [n as u32; 3];
-            }
-        }
-        Ok(numbers)
-    }
-
-    /// Whether something but a vector or the end of the list comes next.
-    fn at_plain_number(&mut self) -> Result<bool> {
-        Ok(match self.peek()?.tok {
-            Tok::Punct(Punct::Less | Punct::RightBrace) => false,
-            Tok::Identifier(_) => {
-                matches!(self.peek_value()?, Some(crate::interp::Value::Float(_)))
-            }
-            _ => self.at_expression()?,
-        })
+    /// `{ n, <a, b, c>, … }`: numbers of entries of a list of so many.
+    fn corner_list(&mut self, keyword: Token, length: usize, entry: &str) -> Result<Vec<Corners>> {
+        let (mut list, mut numbers) = (Vec::new(), Numbers::new(length));
+        self.vectors(3, &mut list, |v| numbers.of(&v[..3]))?;
+        numbers.check(keyword.span, entry)?;
+        Ok(list)
     }
 
     /// One of the lists that stand after `face_indices`.
@@ -168,7 +159,7 @@ impl Parser {
             Tok::Word(Keyword::NormalIndices) => {
                 self.next()?;
                 let length = builder.normals.len();
-                builder.normal_corners = self.list(|p| p.corners(length, "a normal"))?;
+                builder.normal_corners = self.corner_list(token, length, "a normal")?;
                 if builder.normal_corners.len() > faces {
                     return Err(too_many(token.span, "normal_indices", faces));
                 }
@@ -177,7 +168,7 @@ impl Parser {
             Tok::Word(Keyword::UvIndices) => {
                 self.next()?;
                 let length = builder.uvs.len();
-                builder.uv_corners = self.list(|p| p.corners(length, "a uv vector"))?;
+                builder.uv_corners = self.corner_list(token, length, "a uv vector")?;
                 if builder.uv_corners.len() != faces {
                     let message = format!("`uv_indices` must have one entry per face: there are {faces}");
                     return Err(Box::new(Diagnostic::error(token.span, message)));
@@ -187,6 +178,43 @@ impl Parser {
         }
         Ok(true)
     }
+}
+
+/// Reads numbers of list entries, and remembers the first one that names no entry.
+struct Numbers {
+    length: usize,
+    wrong: Option<f64>,
+}
+
+impl Numbers {
+    fn new(length: usize) -> Self {
+        Self { length, wrong: None }
+    }
+
+    /// Up to three numbers; missing ones repeat the first.
+    fn of(&mut self, written: &[f64]) -> Corners {
+        let mut numbers = [0; 3];
+        for (i, number) in numbers.iter_mut().enumerate() {
+            let n = written[if i < written.len() { i } else { 0 }];
+            if n.trunc() >= 0.0 && n < self.length as f64 {
+                *number = n as u32;
+            } else {
+                self.wrong.get_or_insert(n);
+            }
+        }
+        numbers
+    }
+
+    fn check(&self, span: Span, entry: &str) -> Result<()> {
+        let Some(n) = self.wrong else { return Ok(()) };
+        let message = format!("{n} is not the number of {entry}: there are {}, counted from 0", self.length);
+        Err(Box::new(Diagnostic::error(span, message)))
+    }
+}
+
+/// The textures of a face's corners: none, one for all or three.
+fn face_textures(textures: &mut Numbers, written: &[f64]) -> Corners {
+    if written.is_empty() { [NO_TEXTURE; 3] } else { textures.of(written) }
 }
 
 fn too_many(span: Span, list: &str, faces: usize) -> Box<Diagnostic> {

@@ -1,7 +1,9 @@
 //! One file per area of the language, one function per production.
 
+mod algebraic;
 mod array;
 mod atmosphere;
+mod blob;
 mod camera;
 mod color;
 mod csg;
@@ -11,7 +13,9 @@ mod default_texture;
 mod finish;
 mod function;
 mod globals;
+mod image;
 mod interior;
+mod isosurface;
 mod light;
 mod map;
 mod material;
@@ -25,9 +29,14 @@ mod old_texture;
 mod pattern;
 mod pigment;
 mod regions;
+mod revolution;
 mod scene;
 mod shapes;
+mod solids;
 mod spline;
+mod text;
 mod texture;
 mod transform;
 mod warp;
+
+pub(super) use image::LoadedImage;

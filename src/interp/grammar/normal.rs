@@ -1,5 +1,6 @@
 //! `normal { … }`.
 
+use super::image::ImageUse;
 use super::pattern::Place;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Normal, NormalKind};
@@ -36,9 +37,7 @@ impl Parser {
             self.take_value()?;
             normal = named.as_deref().cloned().unwrap_or_default();
         }
-        if !self.normal_type(&mut normal)? && matches!(normal.kind, NormalKind::Flat) {
-            return Err(self.unexpected("the pattern of the normal"));
-        }
+        self.normal_type(&mut normal)?;
         while self.normal_modifier(&mut normal)? {}
         if matches!(normal.kind, NormalKind::Average) && normal.map.is_none() {
             return Err(Box::new(Diagnostic::error(start, "an average must have a normal_map")));
@@ -47,13 +46,21 @@ impl Parser {
         Ok(normal)
     }
 
-    fn normal_type(&mut self, normal: &mut Normal) -> Result<bool> {
+    fn normal_type(&mut self, normal: &mut Normal) -> Result<()> {
         match self.peek()?.tok {
             Tok::Word(Keyword::UvMapping) => {
                 self.next()?;
                 let base = normal.clone();
                 normal.kind = NormalKind::Uv(Arc::new(self.normal_body(base)?));
-                return Ok(true);
+                return Ok(());
+            }
+            Tok::Word(Keyword::BumpMap) => {
+                self.next()?;
+                self.expect_punct(Punct::LeftBrace)?;
+                let (map, settings) = self.image_with_settings(ImageUse::Bumps)?;
+                self.expect_punct(Punct::RightBrace)?;
+                normal.kind = NormalKind::Image(map);
+                normal.amount = settings.bump_size.unwrap_or(normal.amount);
             }
             Tok::Word(Keyword::Average) => {
                 self.next()?;
@@ -68,18 +75,14 @@ impl Parser {
                     if let Some(items) = items {
                         normal.map = self.normal_list(items)?;
                         if normal.map.is_some() {
-                            return Ok(true);
+                            return Ok(());
                         }
                     }
                 }
-                None => {
-                    self.amount(normal)?;
-                    return Ok(false);
-                }
+                None => (),
             },
         }
-        self.amount(normal)?;
-        Ok(true)
+        self.amount(normal)
     }
 
     /// The number after the pattern.

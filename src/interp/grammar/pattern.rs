@@ -1,6 +1,6 @@
 //! Patterns, and what may be written after them in pigments, normals, textures and densities alike.
 
-use crate::interp::{Parser, Result};
+use crate::interp::{FileKind, Parser, Result};
 use crate::material::GreyPigment;
 use crate::math::Vec3;
 use crate::pattern::{
@@ -47,6 +47,8 @@ impl Parser {
 
     fn pattern_parameters(&mut self, word: Keyword) -> Result<Arc<dyn Pattern>> {
         Ok(match word {
+            Keyword::DensityFile => Arc::new(self.density_file()?),
+            Keyword::Facets => Arc::new(pattern::Facets::default()),
             Keyword::Gradient => Arc::new(Gradient::new(self.vector()?)),
             Keyword::Spiral1 => Arc::new(pattern::Spiral::single(self.float()?)),
             Keyword::Spiral2 => Arc::new(pattern::Spiral::double(self.float()?)),
@@ -54,6 +56,7 @@ impl Parser {
             Keyword::Julia => Arc::new(self.julia(FractalKind::Power(2))?),
             Keyword::Magnet => Arc::new(self.magnet()?),
             Keyword::Slope => Arc::new(self.slope()?),
+            Keyword::Tiling => Arc::new(self.tiling()?),
             Keyword::Function => Arc::new(pattern::Function(self.function_body_xyz()?)),
             Keyword::Object => {
                 self.expect_punct(Punct::LeftBrace)?;
@@ -61,12 +64,41 @@ impl Parser {
                 self.expect_punct(Punct::RightBrace)?;
                 Arc::new(pattern::InsideOut(Arc::new(ObjectQuery::new(&object))))
             }
+            Keyword::ImagePattern => Arc::new(self.image_pattern()?),
+            Keyword::Pavement => {
+                let span = self.last_span();
+                self.unsupported(span, "the pattern `pavement`");
+                Arc::new(pattern::Pavement)
+            }
             Keyword::PigmentPattern => {
                 let base = (*self.scene.default_layer.pigment).clone();
                 Arc::new(GreyPigment(Arc::new(self.braced_pigment(base)?)))
             }
             _ => return Err(self.unexpected("a pattern")),
         })
+    }
+
+    /// `df3 "name"`.
+    fn density_file(&mut self) -> Result<pattern::DensityFile> {
+        self.expect(Keyword::Df3)?;
+        let span = self.peek()?.span;
+        let name = self.file_name()?;
+        let path = self.require_file(&name, FileKind::Df3, span)?;
+        let failed = |e: String| Box::new(Diagnostic::error(span, format!("cannot read `{name}`: {e}")));
+        let bytes = std::fs::read(&path).map_err(|e| failed(e.to_string()))?;
+        pattern::DensityFile::new(&bytes).map_err(failed)
+    }
+
+    fn tiling(&mut self) -> Result<pattern::Tiling> {
+        let token = self.peek()?;
+        let number = self.float()?;
+        match pattern::Tiling::new(number.clamp(0.0, 99.0) as u32) {
+            Some(tiling) => Ok(tiling),
+            None => {
+                let message = format!("tilings have the numbers 1 to {}", pattern::Tiling::COUNT);
+                Err(Box::new(Diagnostic::error(token.span, message)))
+            }
+        }
     }
 
     fn iterations(&mut self) -> Result<u32> {
@@ -244,16 +276,19 @@ impl Parser {
             Keyword::Coords => Modifier::Coords(self.float()?),
             Keyword::Exponent => Modifier::Exponent(self.fractal_exponent()?),
             Keyword::Exterior | Keyword::Interior => {
-                let kind = self.float()?.clamp(0.0, 99.0) as u32;
+                let kind = self.small_number()?;
                 self.comma()?;
-                let factor = self.float()?;
+                let factor = if self.at_expression()? { self.float()? } else { 1.0 };
                 if word == Keyword::Exterior {
                     Modifier::Exterior(kind, factor)
                 } else {
                     Modifier::Interior(kind, factor)
                 }
             }
-            _ => Modifier::Interpolate(self.float()?.clamp(0.0, 99.0) as u32),
+            Keyword::Interpolate => Modifier::Interpolate(self.small_number()?),
+            Keyword::NumberOfSides => Modifier::Sides(self.small_number()?),
+            Keyword::NumberOfTiles => Modifier::Tiles(self.small_number()?),
+            _ => Modifier::Number(self.small_number()?),
         };
         match signal.pattern.modified(modifier) {
             Some(pattern) => signal.pattern = pattern,
@@ -263,6 +298,10 @@ impl Parser {
             }
         }
         Ok(true)
+    }
+
+    fn small_number(&mut self) -> Result<u32> {
+        Ok(self.float()?.clamp(0.0, 99.0) as u32)
     }
 
     fn fractal_exponent(&mut self) -> Result<u32> {
@@ -316,17 +355,21 @@ fn is_pattern_with_parameters(word: Keyword) -> bool {
     use Keyword::*;
     matches!(
         word,
-        Facets
+        DensityFile
+            | Facets
             | Function
             | Gradient
+            | ImagePattern
             | Julia
             | Magnet
             | Mandel
             | Object
+            | Pavement
             | PigmentPattern
             | Slope
             | Spiral1
             | Spiral2
+            | Tiling
     )
 }
 
@@ -346,7 +389,10 @@ fn is_pattern_modifier(word: Keyword) -> bool {
             | Interpolate
             | Metric
             | Mortar
+            | NumberOfSides
+            | NumberOfTiles
             | Offset
+            | Pattern
             | Size
             | Solid
     )

@@ -1,5 +1,6 @@
 //! `pigment { … }`, and `density { … }`, which is a pigment for media.
 
+use super::image::ImageUse;
 use super::pattern::Place;
 use crate::color::Color;
 use crate::interp::{Parser, Result, Value};
@@ -95,6 +96,13 @@ impl Parser {
                 let base = pigment.clone();
                 let inner = self.pigment_body(base, place)?;
                 pigment.kind = PigmentKind::Uv(Arc::new(inner));
+            }
+            Tok::Word(Keyword::ImageMap) if place == Place::Pigment => {
+                self.next()?;
+                self.expect_punct(Punct::LeftBrace)?;
+                let (map, _) = self.image_with_settings(ImageUse::Colors)?;
+                self.expect_punct(Punct::RightBrace)?;
+                pigment.kind = PigmentKind::Image(map);
             }
             Tok::Word(Keyword::Average) => {
                 self.next()?;

@@ -1,9 +1,10 @@
 //! `texture { … }`: plain ones with pigment, normal and finish, and patterned ones that choose between
 //! textures.
 
+use super::image::ImageUse;
 use super::pattern::Place;
 use crate::interp::{Parser, Result, Value};
-use crate::material::{Attached, Layer, PatternedKind, PatternedTexture, Texture};
+use crate::material::{Attached, Layer, NormalKind, PatternedKind, PatternedTexture, Texture};
 use crate::pattern::{BlendMap, Checker, Signal};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
@@ -68,6 +69,7 @@ impl Parser {
         }
         let texture = match self.peek()?.tok {
             Tok::Word(Keyword::Tiles) => self.tiles()?,
+            Tok::Word(Keyword::MaterialMap) => self.material_map()?,
             _ => match self.patterned_texture()? {
                 Some(texture) => texture,
                 None => return self.plain_texture(vec![self.scene.default_layer.clone()]),
@@ -111,14 +113,19 @@ impl Parser {
 
     /// `pigment`, `normal` or `finish`, changing those of a layer.
     pub(super) fn layer_part(&mut self, layer: &mut Layer) -> Result<bool> {
-        match self.peek()?.tok {
+        let token = self.peek()?;
+        match token.tok {
             Tok::Word(Keyword::Pigment) => {
                 let pigment = self.pigment_statement_from((*layer.pigment).clone())?;
                 layer.pigment = Arc::new(pigment);
             }
             Tok::Word(Keyword::Normal) => {
                 let base = layer.normal.as_deref().cloned().unwrap_or_default();
-                layer.normal = Some(Arc::new(self.normal_statement_from(base)?));
+                let normal = self.normal_statement_from(base)?;
+                if matches!(normal.kind, NormalKind::Flat) {
+                    self.warn(Diagnostic::warning(token.span, "this normal has no pattern"));
+                }
+                layer.normal = Some(Arc::new(normal));
             }
             Tok::Word(Keyword::Finish) => {
                 let finish = self.finish_statement_from((*layer.finish).clone())?;
@@ -202,6 +209,22 @@ impl Parser {
             list.push((list.len() as f32, Texture::Layers(vec![self.scene.default_layer.clone()])));
         }
         Ok(BlendMap::new(list))
+    }
+
+    /// `material_map { image texture… }`.
+    fn material_map(&mut self) -> Result<Texture> {
+        self.expect(Keyword::MaterialMap)?;
+        self.expect_punct(Punct::LeftBrace)?;
+        let (image, _) = self.image_with_settings(ImageUse::Materials)?;
+        let mut textures = vec![(0.0, self.braced_texture(Keyword::Texture)?)];
+        while self.peek()?.tok == Tok::Word(Keyword::Texture) {
+            textures.push((0.0, self.braced_texture(Keyword::Texture)?));
+        }
+        self.expect_punct(Punct::RightBrace)?;
+        let mut signal = Signal::default();
+        while self.signal_modifier(&mut signal)? {}
+        let kind = PatternedKind::Material(image);
+        Ok(Texture::Patterned(Arc::new(PatternedTexture::new(kind, signal, BlendMap::new(textures)))))
     }
 
     /// `tiles { texture… tile2 texture… }`: a checker in the old way of writing.

@@ -124,3 +124,16 @@ fn directives_wait_for_the_assignment_before_them() {
         "#version 3.1; #macro M() #ifdef (A) #debug \"y\" #else #debug \"n\" #end #end #declare A=5 M()";
     assert_eq!(debug(text), "y");
 }
+
+#[test]
+fn directives_may_choose_the_right_side() {
+    let text =
+        "#declare A = #ifdef (Foo) 4; #else 5; #end #declare S = #if (1) \"one\" #else \"two\" #end #debug S";
+    assert_eq!(debug(&format!("{text}{}", shown(&["A"]))), "one5.000000 ");
+}
+
+#[test]
+fn a_lone_hash_is_nothing() {
+    let outcome = outcome("#debug \"a\" # #debug \"b\"");
+    assert_eq!(outcome.debug, "ab");
+}

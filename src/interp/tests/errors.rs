@@ -47,7 +47,6 @@ fn mistakes_are_errors() {
         "/* open",
         "\"open",
         "#include \"no such file\"",
-        "#macro M() #macro N() #end #end",
         "#version 3.0; #macro M() #end",
         "#declare A=(\"a\"+1);",
         "#fopen F \"/etc/passwd\" read",
@@ -106,4 +105,11 @@ fn deep_nesting_is_refused_not_overflowed() {
     error(&"#declare A=(1+".repeat(100_000));
     error(&"#if (1) ".repeat(100_000));
     error(&"#switch (1) #case (1) ".repeat(100_000));
+}
+
+#[test]
+fn deprecated_names_warn_where_they_are_used() {
+    let said = |text: &str| outcome(text).warnings.iter().filter(|w| w.message.contains("old")).count();
+    assert_eq!(said("#declare deprecated once \"old\" X=3; #declare Y=X; #declare Z=X+X;"), 3);
+    assert_eq!(said("#declare deprecated \"old\" X=3; #declare X=4; #declare Z=X;"), 0);
 }

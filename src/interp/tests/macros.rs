@@ -84,3 +84,29 @@ fn macros_yield_parts_of_vectors_and_directives() {
     let text = "#macro C() 1, 2, 3 #end #declare V=<C()>; #macro D(S) #debug S #end D(\"hi\")";
     assert_eq!(debug(&format!("{text}{}", shown(&["V.z"]))), "hi3.000000 ");
 }
+
+#[test]
+fn a_macro_may_define_another() {
+    assert_eq!(debug("#macro O() #macro I() #debug \"i\" #end I() #end O() O() I()"), "iii");
+}
+
+#[test]
+fn a_local_stays_in_its_table_whatever_the_right_side_calls() {
+    let text = "#macro Inner() #local Q=7; #if (1) Q; #else 0; #end #end \
+                #macro Outer() #local R=Inner() #debug str(R,0,0) #end Outer() #ifdef(R) #debug \"R\" #end";
+    assert_eq!(debug(text), "7");
+}
+
+#[test]
+fn an_element_looked_up_disturbs_no_variable() {
+    let text = "#declare S=array[2]{\"a\",\"b\"}; #declare O=array[1]{sphere{0,1}}; #debug S[1] object{O[0]}";
+    assert_eq!(debug(&format!("{text}{}", shown(&["image_width"]))), "b160.000000 ");
+}
+
+#[test]
+fn undef_of_a_parameter_leaves_the_variable() {
+    let text = "#macro M(A) #undef A #ifdef(A) #debug \"A\" #end #end #declare X=1; M(X) #ifdef(X) #debug \"X\" #end";
+    assert_eq!(debug(text), "X");
+    let text = "#macro M(A) #undef A[0] #end #declare X=array[1]{1}; M(X) #ifdef(X[0]) #debug \"X\" #end";
+    assert_eq!(debug(text), "");
+}

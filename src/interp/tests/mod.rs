@@ -3,10 +3,12 @@
 mod directives;
 mod errors;
 mod functions;
+mod images;
 mod lists;
 mod macros;
 mod oracle;
 mod queries;
+mod surface;
 
 use super::options::{Options, SceneSource};
 use super::parser::{Parser, SceneBuilder};

@@ -26,6 +26,23 @@ impl Bvh {
     /// A result not above `range.min` ends the search.
     #[inline]
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+        self.walk::<true>(ray, range, visit);
+    }
+
+    /// Calls `visit` with every primitive whose box the ray may meet inside `range`, in no order, until it
+    /// returns true.
+    #[inline]
+    pub fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
+        let mut found = false;
+        self.walk::<false>(ray, range, |i, max| {
+            found = visit(i);
+            if found { f64::NEG_INFINITY } else { max }
+        });
+        found
+    }
+
+    #[inline]
+    fn walk<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
         if self.nodes.is_empty() {
             return;
         }
@@ -35,11 +52,11 @@ impl Bvh {
             // SAFETY: the processor has just been seen to have what `wide` is compiled for.
             #[allow(unsafe_code)]
             unsafe {
-                wide(self, &setup, range, visit);
+                wide::<SORTED>(self, &setup, range, visit);
             }
             return;
         }
-        plain(self, &setup, range, visit);
+        plain::<SORTED>(self, &setup, range, visit);
     }
 
     fn setup(&self, ray: &Ray, range: Range) -> Option<Setup> {
@@ -156,7 +173,7 @@ macro_rules! traversal {
     ($(#[$attribute:meta])* $name:ident, $slabs:path) => {
         $(#[$attribute])*
         #[inline]
-        fn $name(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
+        fn $name<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
             let mut max = range.max;
             let tree_max = |max: f64| ((max - s.advance) * bvh.scale) as f32 * (1.0 + SLACK) + f32::MIN_POSITIVE;
             let tree_min = (((range.min - s.advance) * bvh.scale) as f32).max(0.0);
@@ -187,6 +204,9 @@ macro_rules! traversal {
                         let item = (near[i], node.child[i]);
                         let mut at = stack.len();
                         stack.push(item);
+                        if !SORTED {
+                            continue;
+                        }
                         while at > bottom && stack[at - 1].0 < item.0 {
                             stack[at] = stack[at - 1];
                             at -= 1;

@@ -3,7 +3,7 @@
 mod black_hole;
 mod cubic;
 mod planar;
-mod polar;
+pub(crate) mod polar;
 mod repeat;
 
 pub use black_hole::{BlackHole, Repetition};

@@ -1,0 +1,265 @@
+//! POV-Ray's command line: its switches, INI keywords and INI files, with its meanings.
+//!
+//! Sources in order, later ones override: the user's INI file, then the words as they were typed.
+
+mod animation;
+mod naming;
+mod settings;
+mod table;
+mod words;
+
+use super::exit::{Exit, Failure};
+use super::render::{Plan, Task, pool, run_all};
+use super::scene;
+use crate::color::Gamma;
+use crate::interp;
+use crate::picture::FileGamma;
+use crate::render::{Antialias, Method, Region};
+use animation::Animation;
+use naming::FileType;
+use settings::Settings;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+pub fn run(words: &[String]) -> Result<Exit, Failure> {
+    let mut settings = Settings::default();
+    if let Some(ini) = user_ini() {
+        let text =
+            std::fs::read(&ini).map_err(|e| Failure::unavailable(format!("{}: {e}", ini.display())))?;
+        words::read_ini(&mut settings, &ini, &String::from_utf8_lossy(&text), "", 0)?;
+    }
+    for word in words {
+        words::apply(&mut settings, word)?;
+    }
+    let (plan, tasks) = (plan(&settings)?, tasks(&settings)?);
+    if !plan.quiet {
+        notes(&settings).iter().for_each(|note| eprintln!("note: {note}"));
+    }
+    run_all(&plan, &tasks, false)
+}
+
+/// The first of the files that POV-Ray reads without being asked.
+fn user_ini() -> Option<PathBuf> {
+    let named = std::env::var_os("POVINI").map(PathBuf::from);
+    let home = std::env::var_os("HOME").map(|h| Path::new(&h).join(".povray/3.7/povray.ini"));
+    let fixed = [PathBuf::from("povray.ini")];
+    let system = [PathBuf::from("/etc/povray/3.7/povray.ini")];
+    named.into_iter().chain(fixed).chain(home).chain(system).find(|p| p.is_file())
+}
+
+/// Options that change nothing here, if they were given.
+fn notes(settings: &Settings) -> Vec<String> {
+    let mut notes = Vec::new();
+    let on = |keyword: &str| settings.flag(keyword, false);
+    if on("Dither") {
+        notes.push("dithering is not available yet; the picture is not dithered".to_owned());
+    }
+    if on("Continue_Trace") {
+        notes.push(
+            "the picture is rendered from its beginning; an unfinished one is not continued".to_owned(),
+        );
+    }
+    if on("Radiosity_From_File") || on("Radiosity_To_File") {
+        notes.push("radiosity files are neither read nor written".to_owned());
+    }
+    for when in ["Pre_Scene", "Pre_Frame", "Post_Scene", "Post_Frame", "User_Abort", "Fatal_Error"] {
+        let command = format!("{when}_Command");
+        if settings.text(&command).is_some_and(|c| !c.is_empty()) {
+            notes.push(format!("{command} is not run: rendering starts no programs"));
+        }
+    }
+    notes
+}
+
+const DEFAULT_SIZE: (i64, i64) = (160, 120);
+
+fn size(settings: &Settings) -> Result<(u32, u32), Failure> {
+    let width = settings.int("Width").unwrap_or(DEFAULT_SIZE.0);
+    let height = settings.int("Height").unwrap_or(DEFAULT_SIZE.1);
+    let side = |n: i64| u32::try_from(n).ok().filter(|n| (1..=65535).contains(n));
+    side(width)
+        .zip(side(height))
+        .ok_or_else(|| Failure::usage(format!("{width}x{height}: a side has 1 to 65535 pixels")))
+}
+
+fn plan(settings: &Settings) -> Result<Plan, Failure> {
+    let (width, height) = size(settings)?;
+    let threads = settings.int("Work_Threads").and_then(|n| usize::try_from(n).ok());
+    let kind = FileType::of(settings)?;
+    Ok(Plan {
+        width,
+        height,
+        region: region(settings, width, height)?,
+        antialias: antialias(settings),
+        block_size: settings
+            .int("Render_Block_Size")
+            .unwrap_or(32)
+            .clamp(4, i64::from(width.max(height)).max(4)) as u32,
+        quality: settings.int("Quality").unwrap_or(9).clamp(0, 9) as u8,
+        alpha: settings.flag("Output_Alpha", false),
+        bits: kind.bits,
+        file_gamma: file_gamma(settings)?,
+        quiet: !settings.flag("All_Console", true),
+        partial: false,
+        pool: pool(threads)?,
+        counted: Mutex::new(0.0),
+    })
+}
+
+fn antialias(settings: &Settings) -> Option<Antialias> {
+    if !settings.flag("Antialias", false) {
+        return None;
+    }
+    let method = if settings.int("Sampling_Method") == Some(2) { Method::Recursive } else { Method::Grid };
+    let defaults = Antialias::new(method, Gamma::Unmanaged);
+    let depth = settings.int("Antialias_Depth").unwrap_or(i64::from(defaults.depth));
+    let amount = settings.float("Jitter_Amount").unwrap_or(1.0).clamp(0.0, 1.0);
+    Some(Antialias {
+        threshold: settings
+            .float("Antialias_Threshold")
+            .map_or(defaults.threshold, |t| t.clamp(0.0, 1.0) as f32),
+        depth: depth.clamp(1, i64::from(Antialias::MAX_DEPTH)) as u32,
+        jitter: if settings.flag("Jitter", true) { amount } else { 0.0 },
+        gamma: settings.float("Antialias_Gamma").unwrap_or(defaults.gamma),
+        ..defaults
+    })
+}
+
+fn file_gamma(settings: &Settings) -> Result<FileGamma, Failure> {
+    let Some(text) = settings.text("File_Gamma") else { return Ok(FileGamma::Srgb) };
+    if text.eq_ignore_ascii_case("srgb") {
+        return Ok(FileGamma::Srgb);
+    }
+    let number = text.parse().ok().filter(|&g: &f64| g > 0.0);
+    number
+        .map(FileGamma::Power)
+        .ok_or_else(|| Failure::usage(format!("File_Gamma={text}: expected sRGB or a positive number")))
+}
+
+/// The part of the picture that is traced: rows and columns counted from 1, the last one included; numbers
+/// below 1 are shares of the picture.
+fn region(settings: &Settings, width: u32, height: u32) -> Result<Region, Failure> {
+    let start = |keyword: &str, side: u32| match settings.float(keyword) {
+        None => 0,
+        Some(v) if v < 1.0 => (f64::from(side) * v.max(0.0)) as u32,
+        Some(v) => v as u32 - 1,
+    };
+    let end = |keyword: &str, side: u32| match settings.float(keyword) {
+        None => side,
+        Some(v) if v <= 1.0 => (f64::from(side) * v.max(0.0)) as u32,
+        Some(v) => v as u32,
+    };
+    let r = Region {
+        x0: start("Start_Column", width),
+        y0: start("Start_Row", height),
+        x1: end("End_Column", width),
+        y1: end("End_Row", height),
+    };
+    if r.x0 >= r.x1 || r.y0 >= r.y1 || r.x1 > width || r.y1 > height {
+        return Err(Failure::usage(format!(
+            "the part to render leaves the picture of {width}x{height}, or is empty"
+        )));
+    }
+    Ok(r)
+}
+
+/// The scene, or its frames.
+fn tasks(settings: &Settings) -> Result<Vec<Task>, Failure> {
+    let scene = scene_file(settings);
+    let options = options(settings)?;
+    let kind = FileType::of(settings)?;
+    let frames = Animation::of(settings)?.frames;
+    let task = |(frame, digits): (interp::Frame, String)| Task {
+        scene: scene.clone(),
+        target: naming::target(settings, &scene, kind, Some(digits.as_str()).filter(|d| !d.is_empty())),
+        options: scene::Options {
+            interp: interp::Options { frame, ..options.interp.clone() },
+            ..options.clone()
+        },
+    };
+    Ok(frames.into_iter().map(task).collect())
+}
+
+/// `.pov` may be left away.
+fn scene_file(settings: &Settings) -> PathBuf {
+    let name = settings.text("Input_File_Name").unwrap_or("object.pov");
+    let given = PathBuf::from(name);
+    if name == "-" || given.is_file() {
+        return given;
+    }
+    let longer = PathBuf::from(format!("{name}.pov"));
+    if longer.is_file() { longer } else { given }
+}
+
+fn options(settings: &Settings) -> Result<scene::Options, Failure> {
+    let (width, height) = size(settings)?;
+    let mut options = interp::Options {
+        library_paths: settings.library.clone(),
+        include_header: settings.text("Include_Header").map(PathBuf::from),
+        start_version: settings.float("Version").map(|v| (v * 100.0 + 0.5) as u32),
+        image_width: width,
+        image_height: height,
+        output_alpha: settings.flag("Output_Alpha", false),
+        ..interp::Options::default()
+    };
+    for (name, value) in &settings.declares {
+        let quoted = value.strip_prefix('"').and_then(|v| v.strip_suffix('"'));
+        match (quoted, value.parse()) {
+            (Some(text), _) => options.declared_strings.push((name.clone(), text.to_owned())),
+            (None, Ok(number)) => options.declares.push((name.clone(), number)),
+            (None, Err(_)) => {
+                return Err(Failure::usage(format!(
+                    "Declare={name}={value}: expected a number or a quoted text"
+                )));
+            }
+        }
+    }
+    Ok(scene::Options { interp: options, strict: false })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings(line: &str) -> Settings {
+        let mut settings = Settings::default();
+        line.split_whitespace().for_each(|w| words::apply(&mut settings, w).unwrap());
+        settings
+    }
+
+    /// As measured on 40 columns and 30 rows.
+    #[test]
+    fn parts_are_counted_as_the_reference_does() {
+        let part = |line: &str| region(&settings(line), 40, 30).map(|r| (r.x0, r.x1, r.y0, r.y1));
+        assert_eq!(part("").unwrap(), (0, 40, 0, 30));
+        assert_eq!(part("+SC3 +EC10").unwrap(), (2, 10, 0, 30));
+        assert_eq!(part("+SC0.25 +EC0.75 +SR0.25 +ER0.75").unwrap(), (10, 30, 7, 22));
+        assert!(part("+SC41").is_err() && part("+SR9 +ER5").is_err());
+    }
+
+    #[test]
+    fn letters_have_the_reference_meaning() {
+        let plan = |line: &str| plan(&settings(line)).unwrap();
+        assert!(plan("-A0.1 -D").antialias.is_none());
+        let a = plan("+A +AM2 +R12 +J0.5 +AG1").antialias.unwrap();
+        assert_eq!(
+            (a.threshold, a.depth, a.jitter, a.gamma, a.method),
+            (0.3, 9, 0.5, 1.0, Method::Recursive)
+        );
+        let p = plan("+Q11 +UA +FN16 File_Gamma=2.2 +BS16 +W64 +H48");
+        assert_eq!(
+            (p.quality, p.alpha, p.bits, p.file_gamma, p.block_size),
+            (9, true, 16, FileGamma::Power(2.2), 16)
+        );
+        assert!(plan("-GA").quiet);
+    }
+
+    #[test]
+    fn declarations_may_be_texts() {
+        let mut s = settings("Declare=a=1.5");
+        s.set("Declare", "b=\"x\"").unwrap();
+        let o = options(&s).unwrap().interp;
+        assert_eq!(o.declares, [("a".to_owned(), 1.5)]);
+        assert_eq!(o.declared_strings, [("b".to_owned(), "x".to_owned())]);
+    }
+}

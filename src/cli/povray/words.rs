@@ -1,0 +1,201 @@
+//! Words of the command line, and lines of INI files, to settings.
+
+use super::settings::Settings;
+use super::table::{Kind, Switch, TABLE};
+use crate::cli::exit::Failure;
+use std::path::{Path, PathBuf};
+
+/// INI files that name INI files end here.
+const MAX_DEPTH: usize = 10;
+
+/// Applies one word: a switch, `Keyword=value`, a scene, a folder for included files, or an INI file.
+pub fn apply(settings: &mut Settings, word: &str) -> Result<(), Failure> {
+    apply_nested(settings, word, 0)
+}
+
+fn apply_nested(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Failure> {
+    if word.starts_with(['+', '-']) && word.len() > 1 {
+        return switch(settings, word);
+    }
+    if let Some((keyword, value)) = word.split_once('=') {
+        return keyword_value(settings, keyword.trim(), value, depth);
+    }
+    if word == "-" || word.to_ascii_lowercase().ends_with(".pov") {
+        return settings.set("Input_File_Name", word);
+    }
+    if word.ends_with(std::path::is_separator) {
+        return settings.set("Library_Path", word);
+    }
+    ini_file(settings, word, depth)
+}
+
+fn keyword_value(settings: &mut Settings, keyword: &str, value: &str, depth: usize) -> Result<(), Failure> {
+    if keyword.eq_ignore_ascii_case("Include_Ini") {
+        return ini_file(settings, value.trim().trim_matches('"'), depth + 1);
+    }
+    settings.set(keyword, value)
+}
+
+/// `+W320`, `-A`, `+FN16` …
+fn switch(settings: &mut Settings, word: &str) -> Result<(), Failure> {
+    let (sign, rest) = word.split_at(1);
+    let fitting = |s: &&Switch| {
+        let head = rest.get(..s.letters.len());
+        head.is_some_and(|h| h.eq_ignore_ascii_case(s.letters)) && fits(s.kind, &rest[s.letters.len()..])
+    };
+    let Some(found) = TABLE.switches.iter().find(fitting) else {
+        return Err(Failure::usage(format!("{word}: POV-Ray has no such switch, or its value is wrong")));
+    };
+    let value = &rest[found.letters.len()..];
+    if !found.toggles.is_empty() {
+        settings.set(found.toggles, if sign == "+" { "on" } else { "off" })?;
+    }
+    if !found.keyword.is_empty() && found.kind != Kind::None {
+        settings.set(found.keyword, value)?;
+    }
+    Ok(())
+}
+
+/// Whether the rest of a switch can be its value.
+fn fits(kind: Kind, value: &str) -> bool {
+    match kind {
+        Kind::None => value.is_empty(),
+        Kind::Int => value.parse::<i64>().is_ok(),
+        Kind::Float => value.parse::<f64>().is_ok(),
+        _ => !value.is_empty(),
+    }
+}
+
+/// `name`, `name.ini`, `name[section]`.
+fn ini_file(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Failure> {
+    if depth > MAX_DEPTH {
+        return Err(Failure::usage(format!("{word}: INI files include each other")));
+    }
+    let (name, section) = match word.split_once('[') {
+        Some((name, section)) => (name, section.trim_end_matches(']')),
+        None => (word, ""),
+    };
+    let path = find_ini(settings, name).ok_or_else(|| {
+        Failure::unavailable(format!(
+            "{word}: no such INI file (a scene's name ends in .pov, or is given as +I{word})"
+        ))
+    })?;
+    let bytes = std::fs::read(&path).map_err(|e| Failure::unavailable(format!("{}: {e}", path.display())))?;
+    read_ini(settings, &path, &String::from_utf8_lossy(&bytes), section, depth)
+}
+
+/// Looks in the current folder, then in the library's; `.ini` may be left away.
+fn find_ini(settings: &Settings, name: &str) -> Option<PathBuf> {
+    let folders = std::iter::once(PathBuf::new()).chain(settings.library.iter().cloned());
+    let mut paths = folders.flat_map(|f| [f.join(name), f.join(format!("{name}.ini"))]);
+    paths.find(|p| p.is_file())
+}
+
+/// Options before the first header always count, those below a header only if it was asked for.
+pub fn read_ini(
+    settings: &mut Settings,
+    path: &Path,
+    text: &str,
+    section: &str,
+    depth: usize,
+) -> Result<(), Failure> {
+    let mut counts = true;
+    for (number, line) in text.lines().enumerate() {
+        let line = without_comment(line).trim();
+        if let Some(header) = line.strip_prefix('[') {
+            counts = header.trim_end_matches(']').trim().eq_ignore_ascii_case(section);
+            continue;
+        }
+        if line.is_empty() || !counts {
+            continue;
+        }
+        let place =
+            |f: Failure| Failure { message: format!("{}:{}: {}", path.display(), number + 1, f), ..f };
+        ini_line(settings, line, depth).map_err(place)?;
+    }
+    Ok(())
+}
+
+fn ini_line(settings: &mut Settings, line: &str, depth: usize) -> Result<(), Failure> {
+    match line.split_once('=') {
+        Some((keyword, value)) if !line.starts_with(['+', '-']) => {
+            keyword_value(settings, keyword.trim(), value, depth)
+        }
+        _ => line.split_whitespace().try_for_each(|word| apply_nested(settings, word, depth + 1)),
+    }
+}
+
+/// The line up to `;` or `#` outside of quotes.
+fn without_comment(line: &str) -> &str {
+    let mut quoted = false;
+    for (i, c) in line.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            ';' | '#' if !quoted => return &line[..i],
+            _ => {}
+        }
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings(words: &[&str]) -> Settings {
+        let mut settings = Settings::default();
+        for word in words {
+            apply(&mut settings, word).unwrap_or_else(|e| panic!("{word}: {e}"));
+        }
+        settings
+    }
+
+    #[test]
+    fn switches_find_their_keywords() {
+        let s = settings(&[
+            "+Iscene", "+w320", "-H200", "+A0.1", "+AM2", "+R4", "-J", "+Q8", "+UA", "+FN16", "+KFF12",
+            "+K0.5",
+        ]);
+        assert_eq!(s.text("Input_File_Name"), Some("scene"));
+        assert_eq!((s.int("Width"), s.int("Height")), (Some(320), Some(200)));
+        assert_eq!((s.float("Antialias_Threshold"), s.int("Sampling_Method")), (Some(0.1), Some(2)));
+        assert!(s.flag("Antialias", false) && !s.flag("Jitter", true) && s.flag("Output_Alpha", false));
+        assert_eq!((s.int("Final_Frame"), s.float("Clock")), (Some(12), Some(0.5)));
+        assert_eq!(s.text("Output_File_Type"), Some("N16"));
+    }
+
+    #[test]
+    fn a_switch_without_a_value_only_toggles() {
+        let s = settings(&["+A0.1", "-A", "-D", "-P", "+GAlog.txt", "+SC0.25", "+EC10"]);
+        assert!(!s.flag("Antialias", true) && !s.flag("Display", true));
+        assert_eq!((s.float("Antialias_Threshold"), s.text("All_File")), (Some(0.1), Some("log.txt")));
+        assert_eq!((s.float("Start_Column"), s.float("End_Column")), (Some(0.25), Some(10.0)));
+    }
+
+    #[test]
+    fn bare_words_are_told_apart() {
+        let s = settings(&["a.pov", "inc/", "Width=64", "Declare=x=1.5"]);
+        assert_eq!((s.text("Input_File_Name"), s.int("Width")), (Some("a.pov"), Some(64)));
+        assert_eq!(s.library, [PathBuf::from("inc/")]);
+        assert!(apply(&mut Settings::default(), "nosuchfile").is_err());
+        for wrong in ["+Z", "+W", "+Wx", "+QQ", "Bogus=1"] {
+            assert!(apply(&mut Settings::default(), wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn ini_sections_count_when_asked_for() {
+        let text = "Width=8 ; a comment\n+H6 +A\n# more\n[Big]\nWidth=16\nOutput_File_Name=\"a;b\"\n[other]\nHeight=99\n";
+        let read = |section| {
+            let mut s = Settings::default();
+            read_ini(&mut s, Path::new("x.ini"), text, section, 0).unwrap();
+            (s.int("Width"), s.int("Height"), s.text("Output_File_Name").map(String::from))
+        };
+        assert_eq!(read(""), (Some(8), Some(6), None));
+        assert_eq!(read("BIG"), (Some(16), Some(6), Some("a;b".to_owned())));
+        assert_eq!(read("other"), (Some(8), Some(99), None));
+        let mut s = Settings::default();
+        let error = read_ini(&mut s, Path::new("x.ini"), "Width=8\nBogus=1\n", "", 0).unwrap_err();
+        assert!(error.message.starts_with("x.ini:2: "), "{error}");
+    }
+}

@@ -1,0 +1,277 @@
+//! One letter of a text: a flat outline drawn out along z.
+//!
+//! | parameter | unit | meaning |
+//! |---|---|---|
+//! | outline | length | closed contours of straight lines and parabolas in the xy plane |
+//! | thickness | length | the solid reaches from z = 0 to z = thickness |
+//!
+//! A point is inside the outline if a half line from it crosses the outline an odd number of times, so
+//! contours that overlap leave holes. Front and back look towards -z and +z; a wall looks to the right of the
+//! direction in which its contour runs, as the reference has it: inward, where outer contours run clockwise
+//! (y up), as they do in TrueType fonts.
+//!
+//! Numerical care: seen along z a ray is a line in the plane. Whether it passes between the ends of a segment
+//! is told by the signs of their distances from the line, which neighbouring segments share; so no ray slips
+//! through where two walls meet.
+
+use super::{Crossing, Shape, rounding};
+use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
+
+/// Two or three points: a straight line or a parabola (a quadratic Bézier curve).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment {
+    Line(Vec2, Vec2),
+    Curve(Vec2, Vec2, Vec2),
+}
+
+impl Segment {
+    fn start(&self) -> Vec2 {
+        match *self {
+            Segment::Line(a, _) | Segment::Curve(a, _, _) => a,
+        }
+    }
+
+    fn end(&self) -> Vec2 {
+        match *self {
+            Segment::Line(_, b) | Segment::Curve(_, _, b) => b,
+        }
+    }
+
+    fn at(&self, w: f64) -> Vec2 {
+        match *self {
+            Segment::Line(a, b) => a + w * (b - a),
+            Segment::Curve(a, c, b) => {
+                let v = 1.0 - w;
+                v * v * a + 2.0 * v * w * c + w * w * b
+            }
+        }
+    }
+
+    /// Direction in which the segment runs; not unit.
+    fn tangent(&self, w: f64) -> Vec2 {
+        match *self {
+            Segment::Line(a, b) => b - a,
+            Segment::Curve(a, c, b) => (1.0 - w) * (c - a) + w * (b - c),
+        }
+    }
+
+    /// Parameters in 0..1 at which `height`, a linear function of the place, changes its sign; the start
+    /// belongs to the segment and the end does not.
+    fn sign_changes(&self, height: impl Fn(Vec2) -> f64) -> smallvec::SmallVec<[f64; 2]> {
+        let (h0, h1) = (height(self.start()), height(self.end()));
+        let crosses = (h0 < 0.0) != (h1 < 0.0);
+        let mut found = smallvec::SmallVec::new();
+        match *self {
+            Segment::Line(..) => {
+                if crosses {
+                    found.push((h0 / (h0 - h1)).clamp(0.0, 1.0));
+                }
+            }
+            Segment::Curve(_, c, _) => {
+                let hc = height(c);
+                // h0 (1-w)² + 2 hc w (1-w) + h1 w² = h0 + 2 (hc - h0) w + (h0 - 2 hc + h1) w²
+                let (a, half_b) = (h0 - 2.0 * hc + h1, hc - h0);
+                let discriminant = half_b * half_b - a * h0;
+                if crosses {
+                    found.push(single_root(a, half_b, h0, h1, discriminant));
+                } else if discriminant > 0.0 {
+                    let q = -(half_b + discriminant.sqrt().copysign(half_b));
+                    let roots = [q / a, h0 / q];
+                    if roots.iter().all(|w| *w > 0.0 && *w < 1.0) {
+                        found.extend([roots[0].min(roots[1]), roots[0].max(roots[1])]);
+                    }
+                }
+            }
+        }
+        found
+    }
+}
+
+/// The root in 0..1 of `h0 + 2 half_b w + a w²`, whose values at 0 and 1 differ in sign.
+fn single_root(a: f64, half_b: f64, h0: f64, h1: f64, discriminant: f64) -> f64 {
+    let q = -(half_b + discriminant.max(0.0).sqrt().copysign(half_b));
+    let inside = |w: f64| (0.0..=1.0).contains(&w);
+    let (r0, r1) = (q / a, h0 / q);
+    // Rounding may push the root over an end, or make both ends candidates: the better one counts.
+    let value = |w: f64| (h0 + w * (2.0 * half_b + a * w)).abs();
+    match (inside(r0), inside(r1)) {
+        (true, true) => {
+            if value(r0) <= value(r1) {
+                r0
+            } else {
+                r1
+            }
+        }
+        (true, false) => r0,
+        (false, true) => r1,
+        (false, false) => {
+            if h0.abs() < h1.abs() {
+                0.0
+            } else {
+                1.0
+            }
+        }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glyph {
+    outline: Vec<Segment>,
+    thickness: f64,
+    bounds: Aabb,
+}
+
+/// Parts of the surface: a wall's number counts from 2.
+const FRONT: u32 = 0;
+const BACK: u32 = 1;
+const WALLS: u32 = 2;
+
+impl Glyph {
+    /// Contours must be closed. A thickness below 0 reaches towards -z.
+    pub fn new(outline: Vec<Segment>, thickness: f64) -> Self {
+        let mut bounds = Aabb::EMPTY;
+        for segment in &outline {
+            let control = if let Segment::Curve(_, c, _) = segment { *c } else { segment.start() };
+            for p in [segment.start(), control, segment.end()] {
+                bounds = bounds.extended(p.extend(0.0)).extended(p.extend(thickness));
+            }
+        }
+        Self { outline, thickness, bounds }
+    }
+
+    /// Whether the outline holds a point of the plane.
+    fn holds(&self, p: Vec2) -> bool {
+        let mut inside = false;
+        for segment in &self.outline {
+            for w in segment.sign_changes(|q| q.y - p.y) {
+                inside ^= segment.at(w).x > p.x;
+            }
+        }
+        inside
+    }
+
+    fn cap(&self, ray: &Ray, z: f64, part: u32, range: Range, out: &mut Vec<Crossing>) {
+        let t = (z - ray.origin.z) / ray.dir.z;
+        if ray.dir.z != 0.0 && range.contains(t) && self.holds(ray.at(t).truncate()) {
+            out.push(Crossing::on_part(t, part));
+        }
+    }
+
+    fn walls(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let (o, d) = (ray.origin.truncate(), ray.dir.truncate());
+        let squared = d.length_squared();
+        if squared == 0.0 {
+            return;
+        }
+        let (low, high) = (self.thickness.min(0.0), self.thickness.max(0.0));
+        for (i, segment) in self.outline.iter().enumerate() {
+            for w in segment.sign_changes(|p| d.perp_dot(p - o)) {
+                let t = (segment.at(w) - o).dot(d) / squared;
+                let z = ray.origin.z + t * ray.dir.z;
+                if range.contains(t) && z >= low && z <= high {
+                    out.push(Crossing { t, part: WALLS + i as u32, uv: Vec2::new(w, 0.0) });
+                }
+            }
+        }
+    }
+}
+
+impl Shape for Glyph {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        self.cap(ray, 0.0, FRONT, range, out);
+        self.cap(ray, self.thickness, BACK, range, out);
+        self.walls(ray, range, out);
+    }
+
+    fn contains(&self, p: Vec3) -> bool {
+        p.z >= self.thickness.min(0.0) && p.z <= self.thickness.max(0.0) && self.holds(p.truncate())
+    }
+
+    fn normal(&self, _p: Vec3, crossing: &Crossing) -> Vec3 {
+        match crossing.part {
+            FRONT => -Vec3::Z,
+            BACK => Vec3::Z,
+            wall => {
+                let d = self.outline[(wall - WALLS) as usize].tangent(crossing.uv.x);
+                Vec3::new(d.y, -d.x, 0.0).normalize_or(Vec3::X)
+            }
+        }
+    }
+
+    fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
+        let mut p = ray.at(crossing.t);
+        let size = self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
+        match crossing.part {
+            FRONT => p.z = 0.0,
+            BACK => p.z = self.thickness,
+            wall => p = self.outline[(wall - WALLS) as usize].at(crossing.uv.x).extend(p.z),
+        }
+        (p, rounding(size))
+    }
+
+    fn kind(&self) -> &'static str {
+        "text"
+    }
+
+    fn heap_bytes(&self) -> usize {
+        self.outline.len() * size_of::<Segment>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A unit square, clockwise, with a round bite: its right side bends inward to x = 0.5.
+    pub fn bitten() -> Glyph {
+        let v = Vec2::new;
+        Glyph::new(
+            vec![
+                Segment::Line(v(0.0, 0.0), v(0.0, 1.0)),
+                Segment::Line(v(0.0, 1.0), v(1.0, 1.0)),
+                Segment::Curve(v(1.0, 1.0), v(0.0, 0.5), v(1.0, 0.0)),
+                Segment::Line(v(1.0, 0.0), v(0.0, 0.0)),
+            ],
+            0.25,
+        )
+    }
+
+    #[test]
+    fn the_bite_is_outside_and_the_rest_inside() {
+        let g = bitten();
+        assert!(g.contains(Vec3::new(0.4, 0.5, 0.1)) && g.contains(Vec3::new(0.9, 0.95, 0.2)));
+        assert!(!g.contains(Vec3::new(0.6, 0.5, 0.1)) && !g.contains(Vec3::new(0.4, 0.5, 0.3)));
+    }
+
+    #[test]
+    fn walls_look_to_the_right_of_their_contour_and_curves_are_met_where_they_are() {
+        let g = bitten();
+        let ray = Ray::new(Vec3::new(2.0, 0.5, 0.1), -Vec3::X);
+        let hit = g.nearest(&ray, Range::FORWARD).unwrap();
+        assert!((hit.t - 1.5).abs() < 1e-14, "{}", hit.t);
+        assert!(g.normal(ray.at(hit.t), &hit).distance(-Vec3::X) < 1e-12);
+        let front = Ray::new(Vec3::new(0.2, 0.7, -1.0), Vec3::Z);
+        let hit = g.nearest(&front, Range::FORWARD).unwrap();
+        assert_eq!((hit.t, g.normal(front.at(1.0), &hit)), (1.0, -Vec3::Z));
+    }
+
+    #[test]
+    fn no_ray_slips_through_a_corner() {
+        let g = bitten();
+        for i in 0..1000 {
+            let a = f64::from(i) * 0.006_28;
+            let from = Vec3::new(0.3 + 3.0 * a.cos(), 0.5 + 3.0 * a.sin(), 0.1);
+            for corner in [Vec3::new(0.0, 0.0, 0.1), Vec3::new(0.0, 1.0, 0.1), Vec3::new(0.3, 0.5, 0.1)] {
+                let inside = corner.lerp(Vec3::new(0.3, 0.5, 0.1), 1e-9);
+                let ray = Ray::new(from, (inside - from).normalize());
+                let mut all = Vec::new();
+                g.crossings(&ray, Range::FORWARD, &mut all);
+                assert_eq!(all.len() % 2, 0, "{ray:?}: {all:?}");
+            }
+        }
+    }
+}

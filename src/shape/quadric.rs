@@ -1,0 +1,267 @@
+//! Quadric: `A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0`.
+//!
+//! | parameter | meaning |
+//! |---|---|
+//! | `squares` | A, B, C |
+//! | `products` | D, E, F: of xy, xz, yz |
+//! | `linear` | G, H, I |
+//! | `constant` | J |
+//!
+//! The inside is where the left side is negative; the surface belongs to it. `inverse` negates all
+//! coefficients and keeps the normal, as the language has it.
+//!
+//! Numerical care: along a ray the equation is expanded at the ray's point closest to the quadric's
+//! center of coordinates, so a distant origin costs no digits; the quadratic is solved without cancellation
+//! and each root is refined once on the surface itself. A ray that only touches misses.
+
+use super::{COINCIDENT, Crossing, Shape, rounding};
+use crate::math::{Aabb, Range, Ray, Vec3};
+use glam::DMat3;
+use std::sync::Arc;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quadric {
+    squares: Vec3,
+    products: Vec3,
+    linear: Vec3,
+    constant: f64,
+    /// 1, or -1 after `inverse`: keeps the normal as it was.
+    facing: f64,
+}
+
+impl Quadric {
+    pub fn new(squares: Vec3, products: Vec3, linear: Vec3, constant: f64) -> Self {
+        Self { squares, products, linear, constant, facing: 1.0 }
+    }
+
+    fn value(&self, p: Vec3) -> f64 {
+        let mixed = Vec3::new(p.x * p.y, p.x * p.z, p.y * p.z);
+        self.squares.dot(p * p) + self.products.dot(mixed) + self.linear.dot(p) + self.constant
+    }
+
+    /// Sum of the terms' sizes at `p`.
+    fn magnitude(&self, p: Vec3) -> f64 {
+        let p = p.abs();
+        let mixed = Vec3::new(p.x * p.y, p.x * p.z, p.y * p.z);
+        let terms = self.squares.abs().dot(p * p) + self.products.abs().dot(mixed);
+        terms + self.linear.abs().dot(p) + self.constant.abs()
+    }
+
+    fn gradient(&self, p: Vec3) -> Vec3 {
+        let m = self.products;
+        let mixed = Vec3::new(m.x * p.y + m.y * p.z, m.x * p.x + m.z * p.z, m.y * p.x + m.z * p.y);
+        2.0 * self.squares * p + mixed + self.linear
+    }
+
+    /// The second-order part for a direction.
+    fn curvature(&self, d: Vec3) -> f64 {
+        self.squares.dot(d * d) + self.products.dot(Vec3::new(d.x * d.y, d.x * d.z, d.y * d.z))
+    }
+
+    /// Both crossings of the line in order; infinite where there is only one.
+    fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let shift = -ray.origin.dot(ray.dir);
+        let p = ray.at(shift);
+        let (a, half_b, c) = (self.curvature(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p));
+        let (s0, s1) = if a == 0.0 {
+            if half_b == 0.0 {
+                return None;
+            }
+            (-0.5 * c / half_b, f64::INFINITY)
+        } else {
+            let discriminant = half_b * half_b - a * c;
+            if discriminant.is_nan() || discriminant <= 0.0 {
+                return None;
+            }
+            let q = -(half_b + discriminant.sqrt().copysign(half_b));
+            (q / a, if q == 0.0 { 0.0 } else { c / q })
+        };
+        let refined = |s: f64| {
+            let at = ray.at(shift + s);
+            let step = self.value(at) / self.gradient(at).dot(ray.dir);
+            let t = shift + s - step;
+            if t.is_finite() { t } else { shift + s }
+        };
+        let (t0, t1) = (refined(s0), refined(s1));
+        Some([t0.min(t1), t0.max(t1)])
+    }
+
+    /// The bounds of an ellipsoid or, along the axes, of a cylinder; infinite for everything else.
+    fn surface_bounds(&self) -> Aabb {
+        if self.products == Vec3::ZERO { self.aligned_bounds() } else { self.turned_bounds() }
+    }
+
+    fn aligned_bounds(&self) -> Aabb {
+        let used: Vec<usize> = (0..3).filter(|&i| self.squares[i] != 0.0).collect();
+        let sign = used.first().map_or(0.0, |&i| self.squares[i].signum());
+        let same = used.iter().all(|&i| self.squares[i] * sign > 0.0);
+        let unused_are_free = (0..3).all(|i| self.squares[i] != 0.0 || self.linear[i] == 0.0);
+        if used.is_empty() || !same || !unused_are_free {
+            return Aabb::INFINITE;
+        }
+        let mut room = -self.constant * sign;
+        for &i in &used {
+            room += self.linear[i] * self.linear[i] / (4.0 * self.squares[i].abs());
+        }
+        if room < 0.0 {
+            return Aabb::EMPTY;
+        }
+        let mut bounds = Aabb::INFINITE;
+        for &i in &used {
+            let center = -self.linear[i] / (2.0 * self.squares[i]);
+            let half = (room / self.squares[i].abs()).sqrt();
+            let margin = rounding(center.abs() + half);
+            bounds.min[i] = center - half - margin;
+            bounds.max[i] = center + half + margin;
+        }
+        bounds
+    }
+
+    fn turned_bounds(&self) -> Aabb {
+        let (s, m) = (self.squares, 0.5 * self.products);
+        let form =
+            DMat3::from_cols(Vec3::new(s.x, m.x, m.y), Vec3::new(m.x, s.y, m.z), Vec3::new(m.y, m.z, s.z));
+        let sign = s.x.signum();
+        let form = form * sign;
+        let minor = form.x_axis.x * form.y_axis.y - form.x_axis.y * form.x_axis.y;
+        let size = s.abs().max_element();
+        let definite = form.x_axis.x > 0.0
+            && minor > 1e-9 * size * size
+            && form.determinant() > 1e-9 * size * size * size;
+        if !definite {
+            return Aabb::INFINITE;
+        }
+        let inverse = form.inverse();
+        let center = inverse * (-0.5 * sign * self.linear);
+        let room = center.dot(form * center) - sign * self.constant;
+        if room < 0.0 {
+            return Aabb::EMPTY;
+        }
+        let diagonal = Vec3::new(inverse.x_axis.x, inverse.y_axis.y, inverse.z_axis.z);
+        let half = (diagonal * room).max(Vec3::ZERO).map(f64::sqrt);
+        Aabb { min: center - half, max: center + half }.grown(1e-6 * (center.abs() + half).max_element())
+    }
+}
+
+impl Shape for Quadric {
+    fn bounds(&self) -> Aabb {
+        self.surface_bounds()
+    }
+
+    fn inside_bounds(&self) -> Aabb {
+        // With a negative square the far end of that axis is inside.
+        if self.squares.min_element() < 0.0 { Aabb::INFINITE } else { self.surface_bounds() }
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let Some(roots) = self.roots(ray) else { return };
+        out.extend(roots.into_iter().filter(|&t| range.contains(t)).map(Crossing::new));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        self.roots(ray)?.into_iter().find(|&t| range.contains(t)).map(Crossing::new)
+    }
+
+    fn contains(&self, p: Vec3) -> bool {
+        self.value(p) <= COINCIDENT * self.magnitude(p)
+    }
+
+    fn inverse(&self) -> Option<Arc<dyn Shape>> {
+        Some(Arc::new(Quadric {
+            squares: -self.squares,
+            products: -self.products,
+            linear: -self.linear,
+            constant: -self.constant,
+            facing: -self.facing,
+        }))
+    }
+
+    fn normal(&self, p: Vec3, _crossing: &Crossing) -> Vec3 {
+        (self.facing * self.gradient(p)).normalize_or(Vec3::Y)
+    }
+
+    fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
+        let p = ray.at(crossing.t);
+        let slope = self.gradient(p);
+        let squared = slope.length_squared();
+        if squared == 0.0 {
+            return (p, rounding(p.abs().max_element()));
+        }
+        let p = p - self.value(p) / squared * slope;
+        (p, rounding(p.abs().max_element() + self.magnitude(p) / squared.sqrt()))
+    }
+
+    fn kind(&self) -> &'static str {
+        "quadric"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Sphere;
+
+    fn ellipsoid() -> Quadric {
+        // (x-1)²/4 + y² + z²/9 = 1
+        Quadric::new(Vec3::new(0.25, 1.0, 1.0 / 9.0), Vec3::ZERO, Vec3::new(-0.5, 0.0, 0.0), -0.75)
+    }
+
+    #[test]
+    fn a_unit_quadric_is_a_unit_sphere() {
+        let q = Quadric::new(Vec3::ONE, Vec3::ZERO, Vec3::ZERO, -1.0);
+        let s = Sphere::new(Vec3::ZERO, 1.0);
+        for i in 0..200 {
+            let a = f64::from(i) * 0.37;
+            let origin = Vec3::new(3.0 * a.cos(), a.sin(), 3.0 * a.sin());
+            let dir = (Vec3::new(0.3 * (2.0 * a).sin(), 0.9 * a.cos(), 0.1) - origin).normalize();
+            let ray = Ray::new(origin, dir);
+            let (x, y) = (q.nearest(&ray, Range::FORWARD), s.nearest(&ray, Range::FORWARD));
+            match (x, y) {
+                (Some(x), Some(y)) => assert!((x.t - y.t).abs() < 1e-13, "{} {}", x.t, y.t),
+                (x, y) => assert_eq!(x.is_some(), y.is_some()),
+            }
+        }
+    }
+
+    #[test]
+    fn a_distant_ray_is_as_exact_as_a_near_one() {
+        let q = ellipsoid();
+        let target = Vec3::new(1.3, 0.2, -0.4);
+        let dir = Vec3::new(0.6, 0.0, 0.8);
+        let near = q.nearest(&Ray::new(target - 5.0 * dir, dir), Range::FORWARD).unwrap();
+        let far = q.nearest(&Ray::new(target - 5e6 * dir, dir), Range::FORWARD).unwrap();
+        assert!((far.t - 5e6 - (near.t - 5.0)).abs() < 1e-8);
+    }
+
+    #[test]
+    fn bounds_of_an_ellipsoid_are_tight_and_of_a_hyperboloid_infinite() {
+        let b = ellipsoid().bounds();
+        assert!(b.min.distance(Vec3::new(-1.0, -1.0, -3.0)) < 1e-9);
+        assert!(b.max.distance(Vec3::new(3.0, 1.0, 3.0)) < 1e-9);
+        let saddle = Quadric::new(Vec3::new(1.0, -1.0, 1.0), Vec3::ZERO, Vec3::ZERO, -1.0);
+        assert_eq!(saddle.bounds(), Aabb::INFINITE);
+        let turned = Quadric::new(Vec3::new(2.0, 2.0, 1.0), Vec3::new(2.0, 0.0, 0.0), Vec3::ZERO, -1.0);
+        let b = turned.bounds();
+        assert!(b.is_finite() && b.contains(Vec3::new(0.0, 0.0, 1.0)) && b.max.x < 0.83 && b.max.x > 0.81);
+    }
+
+    #[test]
+    fn inverse_keeps_the_normal_and_exchanges_the_sides() {
+        let q = Quadric::new(Vec3::ONE, Vec3::ZERO, Vec3::ZERO, -1.0);
+        let inverse = q.inverse().unwrap();
+        let ray = Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z);
+        let hit = inverse.nearest(&ray, Range::FORWARD).unwrap();
+        assert_eq!(inverse.normal(ray.at(hit.t), &hit), -Vec3::Z);
+        assert!(q.contains(Vec3::ZERO) && !inverse.contains(Vec3::ZERO));
+        assert!(inverse.contains(Vec3::splat(5.0)) && inverse.inside_bounds() == Aabb::INFINITE);
+    }
+
+    #[test]
+    fn a_plane_in_disguise_is_hit_once() {
+        let q = Quadric::new(Vec3::ZERO, Vec3::ZERO, Vec3::new(0.0, 2.0, 0.0), -1.0);
+        let mut all = Vec::new();
+        q.crossings(&Ray::new(Vec3::ZERO, Vec3::new(0.6, 0.8, 0.0)), Range::FORWARD, &mut all);
+        assert_eq!(all.len(), 1);
+        assert!((all[0].t - 0.625).abs() < 1e-15);
+    }
+}

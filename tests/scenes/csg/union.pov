@@ -1,0 +1,13 @@
+// A union carries one texture and one transformation.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <0, 1.5, -5> look_at 0 angle 46 }
+light_source { <4, 6, -5> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb 0.4 } }
+union {
+  sphere { -0.6*x, 0.7 }
+  box { <0, -0.7, -0.7>, <1.3, 0.3, 0.5> }
+  pigment { rgb <0.8, 0.6, 0.3> }
+  rotate 25*y
+}

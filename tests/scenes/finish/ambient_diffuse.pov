@@ -1,0 +1,10 @@
+// ambient and diffuse: default, none, coloured ambient.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <0, 1, -7> look_at 0 angle 47 }
+light_source { <5, 7, -7> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb <0.4, 0.4, 0.5> } }
+sphere { <-2.1, 0, 0>, 0.95 pigment { rgb <0.8, 0.4, 0.2> } finish { ambient 0.1 } }
+sphere { 0, 0.95 pigment { rgb <0.8, 0.4, 0.2> } finish { ambient 0 diffuse 0.9 } }
+sphere { <2.1, 0, 0>, 0.95 pigment { rgb <0.8, 0.4, 0.2> } finish { ambient rgb <0, 0.2, 0.3> diffuse 0.4 } }

@@ -1,0 +1,14 @@
+// A light moved inside a union that is turned.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <0, 2, -6> look_at <0, -0.2, 0> angle 44 }
+union {
+  light_source { <0, 6, -4> rgb 1 }
+  sphere { <1.5, 1.4, 0>, 0.3 pigment { rgb <0.4, 0.9, 0.4> } }
+  rotate 60*y
+}
+plane { y, -1 pigment { rgb 0.9 } }
+plane { z, 4 pigment { rgb 0.9 } }
+sphere { <-1, -0.2, 0>, 0.8 pigment { rgb <0.9, 0.7, 0.5> } }
+box { <0.5, -1, 0>, <1.5, 0.5, 1> rotate 15*y pigment { rgb <0.5, 0.7, 0.9> } }

@@ -1,0 +1,12 @@
+// A flat triangle beside a smooth one with the same corners.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <0, 1.5, -5> look_at 0 angle 46 }
+light_source { <4, 6, -5> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb 0.4 } }
+triangle { <-2, -0.8, 0>, <-0.2, -0.8, 0>, <-1.1, 1, 0.5> pigment { rgb <0.9, 0.8, 0.3> } finish { phong 0.7 } }
+smooth_triangle {
+  <0.2, -0.8, 0>, <-0.8, -0.3, -1>, <2, -0.8, 0>, <0.8, -0.3, -1>, <1.1, 1, 0.5>, <0, 0.9, -1>
+  pigment { rgb <0.9, 0.8, 0.3> } finish { phong 0.7 }
+}

@@ -1,0 +1,8 @@
+// quilted squares and a brick relief.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { orthographic location <0, 0, -5> right 4*x up 3*y look_at 0 }
+light_source { <2, 3, -10> rgb 0.9 }
+box { <-2, -1.5, 0>, <-0.02, 1.5, 1> pigment { rgb 0.7 } normal { quilted 0.8 control0 0.3 control1 1 scale 0.3 } finish { specular 0.5 roughness 0.05 } }
+sphere { 0, 1 pigment { rgb 0.6 } normal { brick 0.5 scale 0.05 } translate x finish { specular 0.5 roughness 0.05 } }

@@ -1,0 +1,10 @@
+// filter tints what is seen through, transmit does not.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+camera { location <0, 1, -6> look_at 0 angle 46 }
+light_source { <4, 7, -6> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.3, 0.4> } }
+plane { z, 6 pigment { gradient y color_map { [0 rgb <0.6, 0.7, 0.9>] [1 rgb <0.9, 0.6, 0.4>] } scale 1.5 } }
+sphere { <-1.2, 0, 0>, 0.9 pigment { rgbf <0.9, 0.3, 0.2, 0.8> } }
+sphere { <1.2, 0, 0>, 0.9 pigment { rgbt <0.9, 0.3, 0.2, 0.8> } }

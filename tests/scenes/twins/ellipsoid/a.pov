@@ -1,0 +1,7 @@
+// A sphere scaled and turned.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at 0 angle 46 }
+light_source { <4, 6, -5> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb 0.4 } }
+sphere { 0, 1 scale <0.5, 1.1, 0.8> rotate <10, 20, 30> translate <0.2, 0, 0.1> pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }

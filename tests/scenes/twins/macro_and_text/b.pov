@@ -1,0 +1,10 @@
+// The same cones written out.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at 0 angle 46 }
+light_source { <4, 6, -5> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb 0.4 } }
+cone { <-1.5, -1, 0.0>, 0.3, <-1.5, -0.5, 0.0>, 0.05 pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }
+cone { <-0.5, -1, 0.2>, 0.3, <-0.5, -0.1, 0.2>, 0.05 pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }
+cone { <0.5, -1, 0.4>, 0.3, <0.5, 0.3, 0.4>, 0.05 pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }
+cone { <1.5, -1, 0.6>, 0.3, <1.5, 0.7, 0.6>, 0.05 pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }

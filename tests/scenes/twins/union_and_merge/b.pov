@@ -1,0 +1,7 @@
+// The same shapes in a merge.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at 0 angle 46 }
+light_source { <4, 6, -5> rgb 1 }
+plane { y, -1 pigment { checker rgb 0.8, rgb 0.4 } }
+merge { sphere { -0.5*x, 0.8 } box { <-0.2, -0.6, -0.6>, <1.2, 0.6, 0.5> } torus { 0.9, 0.25 rotate 70*x } pigment { rgb <0.8, 0.6, 0.3> } finish { phong 0.5 } }
