@@ -54,8 +54,9 @@ impl Encoding {
         }
     }
 
-    fn quantise(&self, value: f64) -> u16 {
-        let max = f64::from(self.max());
+    /// In single precision, as the reference: it decides where a value lies half-way between two steps.
+    fn quantise(&self, value: f32) -> u16 {
+        let max = f32::from(self.max());
         // `clamp` keeps NaN and the cast makes it 0.
         (value.clamp(0.0, 1.0) * max + 0.5).floor() as u16
     }
@@ -63,16 +64,22 @@ impl Encoding {
     /// The quantised channels of one pixel; the fourth is alpha.
     pub fn pixel(&self, p: Pixel) -> [u16; 4] {
         let (rgb, alpha) = if self.alpha { unmultiplied(p) } else { (p.rgb, 1.0) };
-        let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c)));
-        [r, g, b, self.quantise(f64::from(alpha))]
+        let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c) as f32));
+        [r, g, b, self.quantise(alpha)]
     }
 
     /// All quantised channels, row by row, three or four a pixel.
     pub fn samples(&self, picture: &Picture) -> Vec<u16> {
+        let steps =
+            (self.bits <= Steps::MAX_BITS && picture.pixels.len() > Steps::WORTH).then(|| Steps::of(self));
         let n = self.channels();
         let mut out = Vec::with_capacity(picture.pixels.len() * n);
-        for p in &picture.pixels {
-            out.extend_from_slice(&self.pixel(*p)[..n]);
+        for &p in &picture.pixels {
+            let sample = match &steps {
+                Some(steps) if !self.alpha => [p.rgb.x, p.rgb.y, p.rgb.z, 1.0].map(|c| steps.at(c)),
+                _ => self.pixel(p),
+            };
+            out.extend_from_slice(&sample[..n]);
         }
         out
     }
@@ -86,6 +93,49 @@ impl Encoding {
         };
         Rgb::from_array(rgb.to_array().map(decode))
     }
+}
+
+/// Where an encoding's quantised value goes up: the same answers without a power for every channel.
+struct Steps {
+    /// The smallest working value of each quantised value from 1 on.
+    thresholds: Vec<f32>,
+    /// The quantised value of i / [`Steps::CELLS`].
+    start: Vec<u16>,
+}
+
+impl Steps {
+    const MAX_BITS: u8 = 8;
+    /// From so many pixels on the table pays.
+    const WORTH: usize = 10_000;
+    const CELLS: usize = 4096;
+
+    fn of(encoding: &Encoding) -> Steps {
+        let value = |c: f32| encoding.quantise(encoding.curve(c) as f32);
+        let thresholds: Vec<f32> = (1..=encoding.max()).map(|k| threshold(|c| value(c) >= k)).collect();
+        let start = (0..=Steps::CELLS).map(|i| value(i as f32 / Steps::CELLS as f32)).collect();
+        Steps { thresholds, start }
+    }
+
+    fn at(&self, c: f32) -> u16 {
+        // A value that is no number is 0, as the cast has it.
+        let cell = (c.clamp(0.0, 1.0) * Steps::CELLS as f32) as usize;
+        let mut k = self.start[cell];
+        while self.thresholds.get(usize::from(k)).is_some_and(|&t| c >= t) {
+            k += 1;
+        }
+        k
+    }
+}
+
+/// The smallest positive number at which something that stays true becomes true, by halving: positive
+/// numbers are in the order of their bits.
+fn threshold(reached: impl Fn(f32) -> bool) -> f32 {
+    let (mut low, mut high) = (0, f32::INFINITY.to_bits());
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if reached(f32::from_bits(middle)) { high = middle } else { low = middle + 1 }
+    }
+    f32::from_bits(high)
 }
 
 /// Colour and coverage of a premultiplied pixel.
@@ -130,9 +180,37 @@ mod tests {
     }
 
     #[test]
+    fn the_table_gives_the_same_answers() {
+        let noise = |i: u32| f32::from_bits(0x3f80_0000 | i.wrapping_mul(2_654_435_761) >> 9) * 1.3 - 1.5;
+        let special = [f32::NAN, f32::INFINITY, -0.0, 1e-30, 1.0];
+        for (working, file) in [
+            (Gamma::Power(1.0), FileGamma::Srgb),
+            (Gamma::Power(2.2), FileGamma::Srgb),
+            (Gamma::Unmanaged, FileGamma::Srgb),
+            (Gamma::Srgb, FileGamma::Power(1.8)),
+        ] {
+            for bits in [5, 8] {
+                let e = Encoding { file, bits, ..Encoding::new(working) };
+                let steps = Steps::of(&e);
+                let on_edges = steps.thresholds.iter().flat_map(|&t| [t, t.next_down()]);
+                for c in on_edges.chain((0..20_000).map(noise)).chain(special) {
+                    assert_eq!(steps.at(c), e.pixel(Pixel::new(Rgb::splat(c), 0.0))[0], "{e:?} {c}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn values_out_of_range_are_clipped() {
         let all = |c| file_value(Gamma::Power(1.0), FileGamma::Srgb, 8, c);
         assert_eq!([all(-1.0), all(2.0), all(f32::INFINITY), all(f32::NAN)], [0, 255, 255, 0]);
+    }
+
+    /// 0.7 of 255 is 178.5 - 3e-6, and 178.5 in single precision.
+    #[test]
+    fn ties_are_decided_in_single_precision() {
+        let e = Encoding { alpha: true, ..Encoding::new(Gamma::Unmanaged) };
+        assert_eq!(e.pixel(Pixel::new(Rgb::ZERO, 0.3))[3], 179);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Linear pixels, and the files that they go to.
 //!
 //! A [`Picture`] holds working values, premultiplied by coverage; [`encode`] makes file values of them,
-//! [`png`] and [`exr`] write files, [`compare`] and [`light`] measure how far two pictures are apart.
+//! [`png`] and [`exr`] write files, [`compare`] measures how far two pictures are apart.
 
 pub mod compare;
 pub mod encode;
@@ -9,6 +9,7 @@ pub mod exr;
 mod file;
 pub mod light;
 pub mod load;
+pub mod other;
 pub mod png;
 
 pub use encode::{Encoding, FileGamma};
@@ -43,6 +44,13 @@ impl std::ops::Mul<f32> for Pixel {
     type Output = Pixel;
     fn mul(self, k: f32) -> Pixel {
         Pixel { rgb: self.rgb * k, transmit: self.transmit * k }
+    }
+}
+
+impl std::ops::Div<f32> for Pixel {
+    type Output = Pixel;
+    fn div(self, k: f32) -> Pixel {
+        Pixel { rgb: self.rgb / k, transmit: self.transmit / k }
     }
 }
 

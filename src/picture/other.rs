@@ -1,0 +1,117 @@
+//! The other file types that POV-Ray writes.
+//!
+//! | type | channels | values |
+//! |------|----------|--------|
+//! | Targa, BMP | 3, or 4 with alpha | 8 bit, encoded |
+//! | PPM | 3 | 8 bit, 16 where more are asked for, encoded |
+//! | JPEG | 3 | 8 bit, encoded |
+//! | HDR | 3 | linear light, shared exponent |
+
+use super::{Encoding, Picture, PictureError};
+use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::TgaEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageResult, Rgb};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Targa,
+    Ppm,
+    Bmp,
+    Jpeg,
+    Hdr,
+}
+
+/// JPEG files lose as little as the format allows.
+const JPEG_QUALITY: u8 = 95;
+
+/// The bytes of a file.
+pub fn encode(picture: &Picture, encoding: &Encoding, kind: Kind) -> Result<Vec<u8>, PictureError> {
+    let mut out = Vec::new();
+    let wide = kind == Kind::Ppm && encoding.bits > 8;
+    let e = Encoding {
+        bits: if wide { 16 } else { 8 },
+        alpha: encoding.alpha && matches!(kind, Kind::Targa | Kind::Bmp),
+        ..*encoding
+    };
+    let color = if e.alpha { ExtendedColorType::Rgba8 } else { ExtendedColorType::Rgb8 };
+    let narrow = || e.samples(picture).iter().map(|&s| s as u8).collect::<Vec<u8>>();
+    let (w, h) = (picture.width, picture.height);
+    let result = match kind {
+        Kind::Targa => TgaEncoder::new(&mut out).write_image(&narrow(), w, h, color),
+        Kind::Bmp => BmpEncoder::new(&mut out).write_image(&narrow(), w, h, color),
+        Kind::Jpeg => {
+            JpegEncoder::new_with_quality(&mut out, JPEG_QUALITY).write_image(&narrow(), w, h, color)
+        }
+        Kind::Ppm => return Ok(ppm(&e.samples(picture), &e, w, h)),
+        Kind::Hdr => hdr(picture, &e, &mut out),
+    };
+    match result {
+        Ok(()) => Ok(out),
+        Err(error) => Err(PictureError::Format { place: format!("{kind:?}"), message: error.to_string() }),
+    }
+}
+
+fn ppm(samples: &[u16], encoding: &Encoding, width: u32, height: u32) -> Vec<u8> {
+    let mut out = format!("P6\n{width} {height}\n{}\n", encoding.max()).into_bytes();
+    if encoding.bits > 8 {
+        out.extend(samples.iter().flat_map(|s| s.to_be_bytes()));
+    } else {
+        out.extend(samples.iter().map(|&s| s as u8));
+    }
+    out
+}
+
+fn hdr(picture: &Picture, encoding: &Encoding, out: &mut Vec<u8>) -> ImageResult<()> {
+    let pixels: Vec<_> = picture.pixels.iter().map(|p| Rgb(encoding.light(p.rgb).to_array())).collect();
+    HdrEncoder::new(out).encode(&pixels, picture.width as usize, picture.height as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Pixel;
+    use super::*;
+    use crate::color::{self, Gamma};
+
+    fn sample() -> Picture {
+        let mut p = Picture::new(3, 2);
+        for (x, value) in [(0, 1.0), (1, 0.5), (2, 0.25)] {
+            p.set(x, 0, Pixel::new(color::Rgb::splat(value), 0.0));
+        }
+        p
+    }
+
+    #[test]
+    fn values_come_back() {
+        let e = Encoding { alpha: true, ..Encoding::new(Gamma::Unmanaged) };
+        for (kind, format) in [
+            (Kind::Targa, image::ImageFormat::Tga),
+            (Kind::Bmp, image::ImageFormat::Bmp),
+            (Kind::Ppm, image::ImageFormat::Pnm),
+        ] {
+            let bytes = encode(&sample(), &e, kind).unwrap();
+            let image = image::load_from_memory_with_format(&bytes, format).unwrap().to_rgba8();
+            let row: Vec<_> = (0..3).map(|x| image.get_pixel(x, 0).0[0]).collect();
+            assert_eq!(row, [255, 128, 64], "{kind:?}");
+            let clear = if kind == Kind::Ppm { 255 } else { 0 };
+            assert_eq!(image.get_pixel(1, 1).0[3], clear, "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn ppm_may_have_sixteen_bits() {
+        let e = Encoding { bits: 12, ..Encoding::new(Gamma::Unmanaged) };
+        let bytes = encode(&sample(), &e, Kind::Ppm).unwrap();
+        assert_eq!(&bytes[..13], b"P6\n3 2\n65535\n");
+        assert_eq!(&bytes[13..21], &[255, 255, 255, 255, 255, 255, 128, 0]);
+    }
+
+    #[test]
+    fn light_is_kept_above_one() {
+        let mut p = Picture::new(1, 1);
+        p.set(0, 0, Pixel::new(color::Rgb::splat(4.0), 0.0));
+        let bytes = encode(&p, &Encoding::new(Gamma::Power(1.0)), Kind::Hdr).unwrap();
+        let image = image::load_from_memory(&bytes).unwrap().to_rgb32f();
+        assert!((image.get_pixel(0, 0).0[0] - 4.0).abs() < 0.05);
+        let jpeg = encode(&sample(), &Encoding::new(Gamma::Unmanaged), Kind::Jpeg).unwrap();
+        assert!(jpeg.starts_with(&[0xFF, 0xD8]));
+    }
+}
