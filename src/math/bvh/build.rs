@@ -37,7 +37,7 @@ impl Bvh {
             .collect();
         let bounds = usable.iter().fold(Aabb::EMPTY, |b, &i| b.union(boxes[i as usize]));
         if usable.is_empty() {
-            return Bvh { nodes: Vec::new(), order: Vec::new(), bounds, center: Vec3::ZERO, scale: 1.0 };
+            return Bvh::assemble(Vec::new(), Vec::new(), bounds, Vec3::ZERO, 1.0);
         }
         let bulk = Bulk::of(boxes, &usable);
         let frame = Frame::around(&bulk, &bounds);
@@ -50,7 +50,7 @@ impl Bvh {
             let tree = (frame.boxes(boxes, &inner), inner);
             wide.add_tree(&frame, boxes, outer, quality, Some(tree));
         }
-        Bvh { nodes: wide.nodes, order: wide.order, bounds, center: frame.center, scale: frame.scale }
+        Bvh::assemble(wide.nodes, wide.order, bounds, frame.center, frame.scale)
     }
 }
 

@@ -43,7 +43,7 @@ impl Bvh {
         let built: Vec<Piece> =
             pieces.into_par_iter().map(|piece| Piece::build(&frame, &bounds, piece, quality)).collect();
         let (nodes, order) = join(built);
-        Bvh { nodes, order, bounds: whole, center: frame.center, scale: frame.scale }
+        Bvh::assemble(nodes, order, whole, frame.center, frame.scale)
     }
 }
 

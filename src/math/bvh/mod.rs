@@ -37,6 +37,8 @@ pub struct Bvh {
     /// Around everything, in the caller's space.
     bounds: Aabb,
     center: Vec3,
+    /// The most children that can wait while a ray goes down the tree.
+    stack_size: usize,
     /// A power of two: the tree's coordinates are `(p - center) * scale`.
     scale: f64,
 }
@@ -68,6 +70,21 @@ impl Bvh {
     /// Around everything.
     pub fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    /// Takes finished nodes and works out what traversal needs to know of them.
+    fn assemble(nodes: Vec<Node>, order: Vec<u32>, bounds: Aabb, center: Vec3, scale: f64) -> Bvh {
+        let mut stack_size = 0;
+        // Node, and the children that wait when it is opened.
+        let mut todo: Vec<(u32, usize)> = if nodes.is_empty() { Vec::new() } else { vec![(0, 0)] };
+        while let Some((at, waiting)) = todo.pop() {
+            let node = &nodes[at as usize];
+            let children = (0..WIDTH).filter(|&i| node.bounds[0][i] <= node.bounds[3][i]).count();
+            stack_size = stack_size.max(waiting + children);
+            let inner = node.child.iter().filter(|c| **c & LEAF == 0);
+            todo.extend(inner.map(|&c| (c, waiting + children.saturating_sub(1))));
+        }
+        Bvh { nodes, order, bounds, center, stack_size, scale }
     }
 
     pub fn node_count(&self) -> usize {

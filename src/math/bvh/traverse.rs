@@ -1,11 +1,13 @@
 use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
 use crate::math::{Range, Ray, Vec3};
-use smallvec::SmallVec;
 
 /// Relative error of a slab distance in single precision: direction, reciprocal, difference, product.
 const SLACK: f32 = 8.0 * f32::EPSILON;
 /// Components below this count as this: their slab distances exceed any tree's size either way.
 const SMALLEST_COMPONENT: f64 = 1e-18;
+
+/// Room for waiting children that a ray sets aside without asking for memory; deeper trees ask.
+const STACK: usize = 96;
 
 /// A ray in the tree's coordinates, with its rounding bounds worked in.
 struct Setup {
@@ -47,16 +49,31 @@ impl Bvh {
             return;
         }
         let Some(setup) = self.setup(ray, range) else { return };
+        if self.stack_size <= STACK {
+            self.run::<SORTED>(&setup, range, &mut [0; STACK], visit);
+        } else {
+            self.run::<SORTED>(&setup, range, &mut vec![0; self.stack_size], visit);
+        }
+    }
+
+    #[inline]
+    fn run<const SORTED: bool>(
+        &self,
+        setup: &Setup,
+        range: Range,
+        stack: &mut [u64],
+        visit: impl FnMut(u32, f64) -> f64,
+    ) {
         #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has just been seen to have what `wide` is compiled for.
             #[allow(unsafe_code)]
             unsafe {
-                wide::<SORTED>(self, &setup, range, visit);
+                wide::<SORTED>(self, setup, range, stack, visit);
             }
             return;
         }
-        plain::<SORTED>(self, &setup, range, visit);
+        plain::<SORTED>(self, setup, range, stack, visit);
     }
 
     fn setup(&self, ray: &Ray, range: Range) -> Option<Setup> {
@@ -168,19 +185,37 @@ fn slabs_avx2(node: &Node, s: &Setup, min: f32, max: f32, near: &mut [f32; WIDTH
     }
 }
 
+/// A child with the distance to its box, in one word that sorts by distance: distances are not negative.
+#[inline(always)]
+fn packed(distance: f32, child: u32) -> u64 {
+    u64::from(distance.to_bits()) << 32 | u64::from(child)
+}
+
+/// Distances up to which children are worth opening, as their bits in [`packed`] words.
+#[inline(always)]
+fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
+    let distance = ((max - s.advance) * bvh.scale) as f32;
+    distance * (1.0 + 2.0 * SLACK) + f32::MIN_POSITIVE
+}
+
 /// Writes the traversal once for each slab test.
 macro_rules! traversal {
     ($(#[$attribute:meta])* $name:ident, $slabs:path) => {
         $(#[$attribute])*
         #[inline]
-        fn $name<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
+        fn $name<const SORTED: bool>(
+            bvh: &Bvh,
+            s: &Setup,
+            range: Range,
+            stack: &mut [u64],
+            mut visit: impl FnMut(u32, f64) -> f64,
+        ) {
             let mut max = range.max;
-            let tree_max = |max: f64| ((max - s.advance) * bvh.scale) as f32 * (1.0 + SLACK) + f32::MIN_POSITIVE;
             let tree_min = (((range.min - s.advance) * bvh.scale) as f32).max(0.0);
-            let mut limit = tree_max(max);
-            let mut stack: SmallVec<[(f32, u32); 96]> = SmallVec::new();
+            let mut limit = tree_limit(bvh, s, max);
             let mut near = [0f32; WIDTH];
             let mut entry = 0u32;
+            let mut top = 0;
             loop {
                 if entry & LEAF != 0 {
                     for i in leaf_places(entry) {
@@ -190,34 +225,44 @@ macro_rules! traversal {
                             if max <= range.min {
                                 return;
                             }
-                            limit = tree_max(max);
+                            limit = tree_limit(bvh, s, max);
                         }
                     }
                 } else {
                     let node = &bvh.nodes[entry as usize];
                     let mut mask = $slabs(node, s, tree_min, limit, &mut near);
-                    let bottom = stack.len();
+                    let bottom = top;
                     while mask != 0 {
                         let i = mask.trailing_zeros() as usize;
                         mask &= mask - 1;
-                        // Nearest on top.
-                        let item = (near[i], node.child[i]);
-                        let mut at = stack.len();
-                        stack.push(item);
-                        if !SORTED {
-                            continue;
+                        let item = packed(near[i], node.child[i]);
+                        if SORTED {
+                            // Nearest on top.
+                            let mut at = top;
+                            while at > bottom && stack[at - 1] < item {
+                                stack[at] = stack[at - 1];
+                                at -= 1;
+                            }
+                            stack[at] = item;
+                        } else {
+                            stack[top] = item;
                         }
-                        while at > bottom && stack[at - 1].0 < item.0 {
-                            stack[at] = stack[at - 1];
-                            at -= 1;
-                        }
-                        stack[at] = item;
+                        top += 1;
+                    }
+                    if top > bottom {
+                        top -= 1;
+                        entry = stack[top] as u32;
+                        continue;
                     }
                 }
                 loop {
-                    let Some((distance, next)) = stack.pop() else { return };
-                    if distance * (1.0 - SLACK) <= limit {
-                        entry = next;
+                    if top == 0 {
+                        return;
+                    }
+                    top -= 1;
+                    let item = stack[top];
+                    if f32::from_bits((item >> 32) as u32) <= limit {
+                        entry = item as u32;
                         break;
                     }
                 }
