@@ -57,7 +57,7 @@ pub fn interpret_str(text: &str) -> Outcome {
 
 fn run(source: &SceneSource, options: &Options) -> Outcome {
     let mut parser = Parser::new(options.clone(), SceneBuilder::new());
-    parser.predeclare();
+    parser.predeclare(source);
     let read = parser.read(source).map_err(|mut diagnostic| {
         if diagnostic.trace.is_empty() {
             diagnostic.trace = parser.call_chain();
@@ -112,7 +112,12 @@ impl Parser {
     }
 
     /// Variables that stand before the scene.
-    fn predeclare(&mut self) {
+    fn predeclare(&mut self, source: &SceneSource) {
+        let name = match source {
+            SceneSource::Path(path) => path.display().to_string(),
+            SceneSource::Text { name, .. } => name.clone(),
+        };
+        self.predeclare_value("input_file_name", Value::String(Arc::from(name)));
         let frame = self.options.frame;
         let mut numbers = vec![
             ("image_width".to_owned(), f64::from(self.options.image_width)),

@@ -130,10 +130,14 @@ impl Parser {
             if !open {
                 continue;
             }
-            if let Some(value) = self.data_item(index, span)? {
-                self.declare_target(target, value)?;
+            match self.data_item(index, span)? {
+                Some(value) => {
+                    self.declare_target(target, value)?;
+                    // The comma behind an item is taken, or whatever stands there.
+                    open = self.data_token(index)?.is_some();
+                }
+                None => open = false,
             }
-            open = !self.data_ends(index)?;
             if !open {
                 self.close(symbol, index, span)?;
             }
@@ -152,12 +156,6 @@ impl Parser {
         let token = waiting.get(*at).copied();
         *at += usize::from(token.is_some());
         Ok(token)
-    }
-
-    fn back(&mut self, index: usize) {
-        if let Some(Some(TextFile::Reader { at, .. })) = self.text_files.get_mut(index) {
-            *at = at.saturating_sub(1);
-        }
     }
 
     /// A number, vector or string; `None` at the end of the file.
@@ -205,16 +203,6 @@ impl Parser {
                 _ => return Err(Box::new(Diagnostic::error(open, "a vector has 2 to 5 components"))),
             }
         }
-    }
-
-    /// Takes the comma behind an item (or whatever stands there) and tells whether the data end.
-    fn data_ends(&mut self, index: usize) -> Result<bool> {
-        let Some(_) = self.data_token(index)? else { return Ok(true) };
-        if self.data_token(index)?.is_none() {
-            return Ok(true);
-        }
-        self.back(index);
-        Ok(false)
     }
 
     /// `#write(Handle, item, …)`.

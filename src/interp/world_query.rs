@@ -68,7 +68,10 @@ impl Parser {
             (_, true) => bounds.max,
             (_, false) => Vec3::splat(FAR),
         };
-        Ok(corner.as_vec3().as_dvec3())
+        // What rounding leaves of a sum that is 0 is taken for 0.
+        let size = (bounds.max - bounds.min).min(Vec3::splat(1.0)) * f64::from(f32::EPSILON);
+        let clean = |v: f64, small: f64| if v.abs() < small { 0.0 } else { f64::from(v as f32) };
+        Ok(Vec3::new(clean(corner.x, size.x), clean(corner.y, size.y), clean(corner.z, size.z)))
     }
 
     /// `trace(object, origin, direction [, normal])`: the nearest point hit, and its normal in a variable.

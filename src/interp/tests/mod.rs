@@ -9,6 +9,7 @@ mod macros;
 mod oracle;
 mod queries;
 mod surface;
+mod textfiles;
 
 use super::options::{Options, SceneSource};
 use super::parser::{Parser, SceneBuilder};
