@@ -67,6 +67,8 @@ fn subjects() -> Vec<Subject> {
         solid(Quadric::new(v(1.3, 0.6, 2.1), v(0.2, -0.3, 0.1), v(0.4, 0.1, -0.2), -1.2)),
         solid(Quadric::new(v(1.0, -0.5, 1.3), v(0.1, 0.0, 0.2), v(0.0, 0.1, 0.0), -0.5)),
         solid(tangle()),
+        surface(patch()),
+        surface(hills()),
         surface(Disc::new(v(0.1, 0.4, -0.3), v(0.3, 1.0, -0.4), 1.6, 0.35).unwrap()),
         surface(Triangle::new(v(-1.2, -0.8, 0.2), v(1.3, -0.6, -0.4), v(0.2, 1.5, 0.7)).unwrap()),
         surface(
@@ -161,6 +163,21 @@ fn drops() -> Blob {
         BlobComponent::sphere(v(0.3, 0.1, -0.6), 0.6, -0.8).unwrap(),
     ];
     Blob::new(components, 0.45)
+}
+
+fn patch() -> BicubicPatch {
+    let heights =
+        [[0.2, 0.6, -0.4, 0.1], [0.5, 1.2, 0.3, -0.3], [-0.2, 0.4, 1.0, 0.3], [0.0, -0.5, 0.2, 0.4]];
+    let at = |i: usize, j: usize| Vec3::new(j as f64 - 1.5, heights[i][j], i as f64 - 1.4);
+    let controls = std::array::from_fn(|i| std::array::from_fn(|j| at(i, j)));
+    let detail = PatchDetail { u_steps: 3, v_steps: 2, flatness: 0.01 };
+    BicubicPatch::new(controls, detail, [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y]).unwrap()
+}
+
+fn hills() -> HeightField {
+    let height = |i: usize, j: usize| 32000.0 + 20000.0 * (i as f64 * 0.7).sin() * (j as f64 * 0.4).cos();
+    let samples = (0..13).flat_map(|j| (0..9).map(move |i| height(i, j) as u16)).collect();
+    HeightField::new(9, 13, samples, true, 0.0).unwrap()
 }
 
 /// x⁴ + y⁴ + z⁴ - 2 (x² + y² + z²) + 0.3 xy + 1.4 = 0

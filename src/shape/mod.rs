@@ -1,6 +1,7 @@
 //! Shapes: what a ray crosses, in the shape's own space. One file each.
 
 mod algebraic;
+mod bicubic_patch;
 mod blob;
 mod cone;
 #[cfg(test)]
@@ -13,6 +14,7 @@ mod disc;
 mod empty;
 pub mod font;
 mod glyph;
+mod height_field;
 mod isosurface;
 mod lathe;
 pub mod mesh;
@@ -30,6 +32,7 @@ mod torus;
 mod triangle;
 
 pub use algebraic::Algebraic;
+pub use bicubic_patch::{BicubicPatch, PatchDetail};
 pub use blob::{Blob, BlobComponent};
 pub use cone::Cone;
 pub use container::Container;
@@ -40,6 +43,7 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use empty::Empty;
 pub use glyph::{Glyph, Segment};
+pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use lathe::Lathe;
 pub use mesh::{Mesh, MeshBuilder};

@@ -3,6 +3,7 @@
 mod algebraic;
 mod array;
 mod atmosphere;
+mod bicubic_patch;
 mod blob;
 mod camera;
 mod color;
@@ -13,6 +14,7 @@ mod default_texture;
 mod finish;
 mod function;
 mod globals;
+mod height_field;
 mod image;
 mod interior;
 mod isosurface;

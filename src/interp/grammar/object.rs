@@ -160,6 +160,8 @@ fn parameters(word: Keyword) -> Option<Parameters> {
         Keyword::Ovus => Parser::ovus,
         Keyword::SphereSweep => Parser::sphere_sweep,
         Keyword::Blob => Parser::blob,
+        Keyword::BicubicPatch => Parser::bicubic_patch,
+        Keyword::HeightField => Parser::height_field,
         Keyword::Union | Keyword::Composite => Parser::union,
         Keyword::Merge => Parser::merge,
         Keyword::Intersection => Parser::intersection,

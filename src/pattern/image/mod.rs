@@ -37,6 +37,18 @@ enum Texels {
     Floats(Vec<Texel>),
 }
 
+/// How a picture's values are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Storage {
+    Palette,
+    /// One byte for each of 1 to 4 channels.
+    Bytes {
+        channels: usize,
+    },
+    /// More than a byte for each channel.
+    Deep,
+}
+
 /// Colour and alpha of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Texel {
@@ -93,6 +105,14 @@ impl Image {
                 texel(c, |v| curve[usize::from(v)], |a| f32::from(a) / 255.0)
             }
             Texels::Floats(texels) => texels[i],
+        }
+    }
+
+    pub fn storage(&self) -> Storage {
+        match &self.texels {
+            Texels::Palette { .. } => Storage::Palette,
+            Texels::Bytes { channels, .. } => Storage::Bytes { channels: *channels },
+            Texels::Floats(_) => Storage::Deep,
         }
     }
 
