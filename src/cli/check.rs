@@ -5,6 +5,7 @@ use super::clock::{cpu_seconds, peak_rss_bytes};
 use super::exit::{Exit, Failure};
 use super::scene::{self, Options};
 use super::{interrupt, json, stack};
+use crate::scene::Counts;
 use crate::world::World;
 use serde::Serialize;
 use std::path::Path;
@@ -49,12 +50,13 @@ fn check(path: &Path, options: &Options, quiet: bool) -> Result<Report, Failure>
     let start = cpu_seconds();
     let parsed = scene::parse(path, options, quiet)?;
     let read = cpu_seconds();
+    let counts = Counts::of(&parsed.scene);
     let _world = World::prepare(parsed.scene);
     Ok(Report {
         scene: path.display().to_string(),
-        finite_objects: parsed.statistics.finite_objects,
-        infinite_objects: parsed.statistics.infinite_objects,
-        light_sources: parsed.statistics.lights,
+        finite_objects: counts.finite_objects,
+        infinite_objects: counts.infinite_objects,
+        light_sources: counts.light_sources,
         warnings: parsed.warnings,
         unsupported: parsed.unsupported,
         parse_cpu_s: read - start,

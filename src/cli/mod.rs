@@ -7,6 +7,7 @@ mod compare;
 mod crosscheck;
 pub mod diagnostic;
 mod exit;
+mod explain;
 mod golden;
 mod interrupt;
 mod json;
@@ -57,7 +58,7 @@ fn glint(words: Vec<OsString>) -> Result<Exit, Failure> {
             clap_complete::generate(args.shell, &mut Cli::command(), "glint", &mut std::io::stdout());
             Ok(Exit::Done)
         }
-        _ => Err(Failure::usage("this command is not available yet")),
+        Command::Explain(args) => explain::run(&args),
     }
 }
 

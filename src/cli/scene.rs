@@ -3,7 +3,7 @@
 use super::args::{Includes, SceneArgs};
 use super::diagnostic;
 use super::exit::Failure;
-use crate::interp::{self, IncludeMode, Outcome, SceneSource, Statistics};
+use crate::interp::{self, IncludeMode, Outcome, SceneSource};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, Files};
 use std::io::Read;
@@ -61,13 +61,12 @@ pub struct Parsed {
     /// One line each: place and message.
     pub warnings: Vec<String>,
     pub unsupported: Vec<String>,
-    pub statistics: Statistics,
 }
 
 /// Reads a scene. Diagnostics go to stderr, warnings only unless `quiet`.
 pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Failure> {
     let outcome = interp::interpret(source(path)?, &options.interp);
-    let Outcome { scene, files, warnings, unsupported, debug, statistics } = outcome;
+    let Outcome { scene, files, warnings, unsupported, debug } = outcome;
     if !quiet {
         eprint!("{debug}");
         show_all(&warnings, &files);
@@ -84,7 +83,7 @@ pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Fail
         )));
     }
     let warnings = warnings.iter().map(|w| diagnostic::line(w, &files)).collect();
-    Ok(Parsed { scene, warnings, unsupported, statistics })
+    Ok(Parsed { scene, warnings, unsupported })
 }
 
 fn source(path: &Path) -> Result<SceneSource, Failure> {

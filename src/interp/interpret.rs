@@ -7,7 +7,7 @@ use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::material::Layer;
 use crate::pattern::NoiseGenerator;
-use crate::scene::{Background, Body, CsgOp, Globals, Object, Scene};
+use crate::scene::{Background, Globals, Scene};
 use crate::source::{Diagnostic, Files, Severity, Span};
 use std::sync::Arc;
 
@@ -23,15 +23,6 @@ pub struct Outcome {
     pub unsupported: Vec<String>,
     /// Output of `#debug` and its like.
     pub debug: String,
-    pub statistics: Statistics,
-}
-
-/// Counts as the reference reports them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Statistics {
-    pub finite_objects: usize,
-    pub infinite_objects: usize,
-    pub lights: usize,
 }
 
 /// Stack for reading a scene: nesting is limited, but each level may take a few kilobytes.
@@ -68,14 +59,12 @@ fn run(source: &SceneSource, options: &Options) -> Outcome {
         Ok(()) => parser.finish(),
         Err(diagnostic) => Err(diagnostic),
     };
-    let statistics = scene.as_ref().map_or_else(|_| Statistics::default(), Statistics::of);
     Outcome {
         scene,
         files: parser.files,
         warnings: parser.messages.warnings,
         unsupported: parser.messages.unsupported,
         debug: parser.messages.debug,
-        statistics,
     }
 }
 
@@ -187,29 +176,6 @@ impl Parser {
         self.scene.surroundings.set_waves(globals.number_of_waves);
         let empty = SceneBuilder::new().scene;
         Ok(std::mem::replace(&mut self.scene.scene, empty))
-    }
-}
-
-impl Statistics {
-    /// Counts objects, CSG members included.
-    fn of(scene: &Scene) -> Self {
-        let mut counts = Self::default();
-        scene.objects.iter().for_each(|object| counts.add(object));
-        counts
-    }
-
-    fn add(&mut self, object: &Object) {
-        match &object.body {
-            Body::Light(_) => self.lights += 1,
-            Body::Csg { op: CsgOp::Union | CsgOp::LightGroup { .. }, children } => {
-                children.iter().for_each(|child| self.add(child));
-            }
-            Body::Csg { .. } => self.finite_objects += 1,
-            Body::Shape(shape) => match shape.bounds().is_finite() {
-                true => self.finite_objects += 1,
-                false => self.infinite_objects += 1,
-            },
-        }
     }
 }
 

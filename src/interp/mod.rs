@@ -28,7 +28,7 @@ mod value;
 mod version;
 mod world_query;
 
-pub use interpret::{Outcome, Statistics, interpret, interpret_str};
+pub use interpret::{Outcome, interpret, interpret_str};
 pub(crate) use lookup::Kind as FileKind;
 pub use options::{Frame, IncludeMode, Limits, Options, SceneSource};
 pub use parser::Parser;

@@ -77,7 +77,7 @@ impl Pigment {
         };
     }
 
-    fn children(&self) -> impl Iterator<Item = &Arc<Pigment>> {
+    pub(super) fn children(&self) -> impl Iterator<Item = &Arc<Pigment>> {
         let (inner, map) = match (&self.kind, &self.map) {
             (PigmentKind::Uv(inner), _) => (Some(inner), None),
             (PigmentKind::Patterned | PigmentKind::Average, Some(PigmentMap::Pigments(map))) => {

@@ -193,6 +193,11 @@ pub enum Modifier {
 pub trait Pattern: Debug + Send + Sync {
     fn value(&self, p: Vec3, setting: &Setting) -> f64;
 
+    /// The pattern's name, for reports.
+    fn name(&self) -> &'static str {
+        std::any::type_name::<Self>().rsplit("::").next().unwrap_or_default()
+    }
+
     fn character(&self) -> Character {
         Character::SMOOTH
     }

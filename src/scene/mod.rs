@@ -3,9 +3,11 @@
 //! When you hold a [`Scene`], macros have run, names are resolved, angles are radians, colours are in the
 //! working space, defaults are filled in. Transformations still sit where they were written.
 
+mod counts;
 mod globals;
 mod object;
 
+pub use counts::Counts;
 pub use globals::{Globals, ObjectPhotons, PhotonSettings, RadiositySettings, SubsurfaceSettings};
 pub use object::{Body, CsgOp, Flags, LightSource, Object};
 

@@ -1,5 +1,6 @@
 use super::World;
 use super::geometry::Solid;
+use crate::material::{Ingredients, Interior};
 use std::collections::BTreeMap;
 
 /// What was built for a scene; for `check` and `explain`.
@@ -45,6 +46,28 @@ impl World {
             }
         }
         stats
+    }
+
+    /// What the scene's textures are made of, those of the sky and of media included.
+    pub fn ingredients(&self) -> Ingredients {
+        let mut all = Ingredients::default();
+        for layer in self.surfaces.iter().flat_map(|s| &s.layers) {
+            all.add_texture(&layer.texture);
+        }
+        for interior in &self.interiors {
+            interior.interior.media.iter().for_each(|m| all.media(m));
+        }
+        self.scene.media.iter().for_each(|m| all.media(&m.value));
+        self.scene.sky_sphere.iter().flat_map(|s| &s.pigments).for_each(|p| all.pigment(p));
+        all
+    }
+
+    /// Objects with an interior that bends light or weakens it, and objects with media.
+    pub fn interior_counts(&self) -> (usize, usize) {
+        let bends = |i: &Interior| i.ior != 1.0 || i.fade_power != 0.0;
+        let count =
+            |test: &dyn Fn(&Interior) -> bool| self.interiors.iter().filter(|i| test(&i.interior)).count();
+        (count(&bends), count(&|i| !i.media.is_empty()))
     }
 
     /// How deep combinations are nested, counted from the top-level objects.

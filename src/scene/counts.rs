@@ -1,0 +1,142 @@
+//! How many objects and lights a scene has, as POV-Ray's statistics count them.
+//!
+//! | what | counts as |
+//! |------|-----------|
+//! | union or light group at the top, neither clipped, bounded, inverted nor with `split_union off` | its members |
+//! | any other object | one |
+//! | object whose box has a volume above 2e10 | infinite |
+//! | light, however deep | one light; those of light groups do not count, nor what they look like |
+//!
+//! Measured with objects of all kinds. Boxes are Glint's own, some of which are tighter.
+
+use super::{Body, CsgOp, Object, Scene};
+use crate::math::Aabb;
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub finite_objects: usize,
+    pub infinite_objects: usize,
+    pub light_sources: usize,
+}
+
+/// Boxes above this volume count as infinite.
+const INFINITE_VOLUME: f64 = 2e10;
+
+impl Counts {
+    pub fn of(scene: &Scene) -> Counts {
+        let mut counts = Counts::default();
+        scene.objects.iter().for_each(|object| counts.add(object));
+        counts
+    }
+
+    fn add(&mut self, object: &Object) {
+        match &object.body {
+            Body::Light(_) => self.light_sources += 1,
+            Body::Csg { op: CsgOp::Union, children } if is_split(object) => {
+                children.iter().for_each(|child| self.add(child));
+            }
+            Body::Csg { op: CsgOp::LightGroup { .. }, children } if is_split(object) => {
+                let members = children.iter().filter(|c| !matches!(c.body, Body::Light(_)));
+                members.for_each(|child| self.add(child));
+            }
+            Body::Csg { .. } => {
+                self.light_sources += lights_in(object);
+                self.add_one(object);
+            }
+            Body::Shape(_) => self.add_one(object),
+        }
+    }
+
+    fn add_one(&mut self, object: &Object) {
+        if bounds(object).volume() <= INFINITE_VOLUME {
+            self.finite_objects += 1;
+        } else {
+            self.infinite_objects += 1;
+        }
+    }
+}
+
+fn is_split(object: &Object) -> bool {
+    object.clipped_by.is_empty()
+        && object.bounded_by.is_empty()
+        && !object.flags.inverse
+        && object.flags.split_union != Some(false)
+}
+
+fn lights_in(object: &Object) -> usize {
+    match &object.body {
+        Body::Light(_) => 1,
+        Body::Shape(_) => 0,
+        Body::Csg { children, .. } => children.iter().map(|c| lights_in(c)).sum(),
+    }
+}
+
+/// A box around the object, in the space around it; a light has none.
+fn bounds(object: &Object) -> Aabb {
+    let children =
+        |children: &[std::sync::Arc<Object>]| children.iter().map(|c| bounds(c)).collect::<Vec<_>>();
+    let own = match &object.body {
+        Body::Light(_) => return Aabb::INFINITE,
+        Body::Shape(shape) => shape.bounds(),
+        Body::Csg { op: CsgOp::Difference, children } => children.first().map_or(Aabb::EMPTY, |c| bounds(c)),
+        Body::Csg { op: CsgOp::Intersection, children: all } => {
+            children(all).into_iter().fold(Aabb::INFINITE, Aabb::intersection)
+        }
+        Body::Csg { children: all, .. } => children(all).into_iter().fold(Aabb::EMPTY, Aabb::union),
+    };
+    let limits = object.clipped_by.iter().chain(&object.bounded_by).filter(|l| !l.flags.inverse);
+    let outer = if own.is_finite() { object.transform.bounds(&own) } else { own };
+    limits.fold(outer, |b, limit| b.intersection(bounds(limit)))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::interp::interpret_str;
+    use crate::scene::Counts;
+
+    fn counts(text: &str) -> [usize; 3] {
+        let text = format!("#version 3.7; global_settings {{ assumed_gamma 1 }}\n{text}");
+        let scene = interpret_str(&text).scene.unwrap_or_else(|e| panic!("{text}: {}", e.message));
+        let c = Counts::of(&scene);
+        [c.finite_objects, c.infinite_objects, c.light_sources]
+    }
+
+    /// As POV-Ray 3.7 counts them.
+    #[test]
+    fn objects_are_counted_as_the_reference_does() {
+        for (text, expected) in [
+            ("sphere{0,1} plane{y,0} light_source{1,1}", [1, 1, 1]),
+            ("union{sphere{0,1} plane{y,0}}", [1, 1, 0]),
+            ("union{union{sphere{0,1} box{0,1}} sphere{0,1}}", [3, 0, 0]),
+            ("union{union{sphere{0,1} box{0,1} bounded_by{sphere{0,3}}} sphere{0,1}}", [2, 0, 0]),
+            ("union{sphere{0,1} box{0,1} clipped_by{sphere{0,3}}}", [1, 0, 0]),
+            ("union{sphere{0,1} box{0,1} inverse}", [1, 0, 0]),
+            ("union{sphere{0,1} box{0,1} split_union off}", [1, 0, 0]),
+            ("union{sphere{0,1} light_source{1,1}}", [1, 0, 1]),
+            ("light_source{1,1 looks_like{sphere{0,1}}}", [0, 0, 1]),
+            ("light_group{union{sphere{0,1} box{0,1}} light_source{1,1}}", [2, 0, 0]),
+            ("merge{sphere{0,1} box{0,1}}", [1, 0, 0]),
+            ("intersection{plane{y,0} plane{x,0}}", [0, 1, 0]),
+            ("intersection{plane{y,0} sphere{0,1}}", [1, 0, 0]),
+            ("difference{sphere{0,1} plane{x,0}}", [1, 0, 0]),
+            ("difference{plane{x,0} sphere{0,1}}", [0, 1, 0]),
+            ("difference{box{0,1} light_source{1,1}}", [1, 0, 1]),
+            ("merge{sphere{0,1} light_source{1,1}}", [0, 1, 1]),
+            ("plane{y,0 bounded_by{sphere{0,1}}}", [1, 0, 0]),
+            ("plane{y,0 clipped_by{sphere{0,1}}}", [1, 0, 0]),
+            ("plane{y,0 clipped_by{plane{x,0}}}", [0, 1, 0]),
+            ("box{0,<1,1,1.9e10>}", [1, 0, 0]),
+            ("box{0,<1,1,2.1e10>}", [0, 1, 0]),
+            ("box{0,<1e3,1e3,2.01e4>}", [0, 1, 0]),
+            ("sphere{0,1100} sphere{0,3000}", [1, 1, 0]),
+            ("sphere{0,1 scale 3000}", [0, 1, 0]),
+            ("disc{0,y,1e4}", [1, 0, 0]),
+            (
+                "#declare A=union{sphere{0,1} light_source{x,1}} union{object{A} object{A translate x}}",
+                [2, 0, 2],
+            ),
+        ] {
+            assert_eq!(counts(text), expected, "{text}");
+        }
+    }
+}
