@@ -530,3 +530,65 @@ fn ini_files_and_frames() {
     assert_eq!(code(&done.unwrap()), Some(0));
     assert!(folder.path("b.png").is_file());
 }
+
+#[test]
+fn explain_says_what_was_built_and_what_was_left_out() {
+    let folder = Folder::new("explain");
+    folder.write("a.pov", SPHERE);
+    let done = folder.glint(&["explain", "a.pov", "--json"]);
+    assert_eq!(code(&done), Some(0), "{}", stderr(&done));
+    let report: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!(report["required"]["objects"], serde_json::json!({ "plane": 1, "sphere": 1 }));
+    assert_eq!(report["required"]["lights"], serde_json::json!({ "point": 1 }));
+    assert_eq!(report["required"]["pigments"]["checker"], 1);
+    assert_eq!(report["required"]["reflecting_layers"], 1);
+    assert_eq!(report["built"]["tree_nodes"], 0);
+    let left_out: Vec<_> =
+        report["left_out"].as_array().unwrap().iter().map(|l| l["what"].as_str().unwrap()).collect();
+    assert!(left_out.contains(&"tree") && left_out.contains(&"media"), "{left_out:?}");
+    assert!(!left_out.contains(&"reflected rays") && !left_out.contains(&"shadow rays"), "{left_out:?}");
+    let done = folder.glint(&["explain", "a.pov"]);
+    assert!(stdout(&done).contains("1 checker") && stdout(&done).contains("left out"));
+}
+
+/// A project of two scenes: the pictures that Glint makes are blessed, and a change is found.
+#[test]
+fn golden_pictures_are_blessed_and_checked() {
+    let folder = Folder::new("golden");
+    for sub in ["scenes", "tests/scenes/shape", "reference-images/povray/scenes"] {
+        std::fs::create_dir_all(folder.path(sub)).unwrap();
+    }
+    folder.write("scenes/ball.pov", &format!("//! no reference: for the test\n{SPHERE}"));
+    folder.write("tests/scenes/shape/ball.pov", &format!("//! no reference: for the test\n{SPHERE}"));
+    let check = || folder.glint(&["golden", "check"]);
+    assert_eq!(code(&check()), Some(1), "there are no pictures yet");
+    let blessed = folder.glint(&["golden", "bless"]);
+    assert_eq!(code(&blessed), Some(1), "nobody blesses by accident");
+    assert!(!stdout(&blessed).contains("FAILED"), "{}", stdout(&blessed));
+    let size = |name| {
+        let (w, h, ..) = png_header(&std::fs::read(folder.path(name)).unwrap());
+        (w, h)
+    };
+    assert_eq!(size("reference-images/glint/scenes/ball.png"), (320, 240));
+    assert_eq!(size("reference-images/glint/tests/scenes/shape/ball.png"), (160, 120));
+    assert_eq!(code(&check()), Some(0), "{}", stdout(&check()));
+    folder.write(
+        "tests/scenes/shape/ball.pov",
+        &format!("//! no reference: for the test\n{SPHERE} background {{ rgb 1 }}"),
+    );
+    let changed = check();
+    assert_eq!(code(&changed), Some(1));
+    assert!(
+        stdout(&changed).contains("FAILED  tests/scenes/shape/ball.pov: differs"),
+        "{}",
+        stdout(&changed)
+    );
+    assert!(folder.path("target/golden/tests/scenes/shape/ball.difference.png").is_file());
+    assert_eq!(code(&folder.glint(&["golden", "bless", "shape/ball"])), Some(1));
+    assert_eq!(code(&check()), Some(0));
+    std::fs::remove_file(folder.path("scenes/ball.pov")).unwrap();
+    let orphan = check();
+    assert_eq!(code(&orphan), Some(1));
+    assert!(stdout(&orphan).contains("no scene owns this picture"));
+    assert_eq!(code(&folder.glint(&["golden", "check", "nothing"])), Some(2));
+}

@@ -5,11 +5,12 @@
 //! | union or light group at the top, neither clipped, bounded, inverted nor with `split_union off` | its members |
 //! | any other object | one |
 //! | object whose box has a volume above 2e10 | infinite |
-//! | light, however deep | one light; those of light groups do not count, nor what they look like |
+//! | light, however deep | one light; those of light groups do not count |
+//! | what a light looks like | an object, where there are at least three objects and lights |
 //!
 //! Measured with objects of all kinds. Boxes are Glint's own, some of which are tighter.
 
-use super::{Body, CsgOp, Object, Scene};
+use super::{Body, CsgOp, LightSource, Object, Scene};
 use crate::math::Aabb;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,36 +23,57 @@ pub struct Counts {
 /// Boxes above this volume count as infinite.
 const INFINITE_VOLUME: f64 = 2e10;
 
+/// From so many objects and lights on lights are sorted by their bounds too.
+const BOUNDING_FROM: usize = 3;
+
 impl Counts {
     pub fn of(scene: &Scene) -> Counts {
-        let mut counts = Counts::default();
-        scene.objects.iter().for_each(|object| counts.add(object));
+        let mut top = Top::default();
+        scene.objects.iter().for_each(|object| top.add(object, false));
+        let mut counts = Counts { light_sources: top.global_lights, ..Counts::default() };
+        top.objects.iter().for_each(|object| counts.add(object));
+        if top.objects.len() + top.lights.len() >= BOUNDING_FROM {
+            let bodies = top.lights.iter().filter_map(|light| light.looks_like.as_ref());
+            bodies.for_each(|body| counts.add(body));
+        }
         counts
     }
 
     fn add(&mut self, object: &Object) {
-        match &object.body {
-            Body::Light(_) => self.light_sources += 1,
-            Body::Csg { op: CsgOp::Union, children } if is_split(object) => {
-                children.iter().for_each(|child| self.add(child));
-            }
-            Body::Csg { op: CsgOp::LightGroup { .. }, children } if is_split(object) => {
-                let members = children.iter().filter(|c| !matches!(c.body, Body::Light(_)));
-                members.for_each(|child| self.add(child));
-            }
-            Body::Csg { .. } => {
-                self.light_sources += lights_in(object);
-                self.add_one(object);
-            }
-            Body::Shape(_) => self.add_one(object),
-        }
-    }
-
-    fn add_one(&mut self, object: &Object) {
         if bounds(object).volume() <= INFINITE_VOLUME {
             self.finite_objects += 1;
         } else {
             self.infinite_objects += 1;
+        }
+    }
+}
+
+/// What stands at the top once unions are taken apart.
+#[derive(Default)]
+struct Top<'a> {
+    objects: Vec<&'a Object>,
+    lights: Vec<&'a LightSource>,
+    /// Lights outside of groups, those inside combinations too.
+    global_lights: usize,
+}
+
+impl<'a> Top<'a> {
+    fn add(&mut self, object: &'a Object, in_group: bool) {
+        match &object.body {
+            Body::Light(light) => {
+                self.lights.push(light);
+                self.global_lights += usize::from(!in_group);
+            }
+            Body::Csg { op: op @ (CsgOp::Union | CsgOp::LightGroup { .. }), children }
+                if is_split(object) =>
+            {
+                let in_group = in_group || matches!(op, CsgOp::LightGroup { .. });
+                children.iter().for_each(|child| self.add(child, in_group));
+            }
+            _ => {
+                self.global_lights += lights_in(object);
+                self.objects.push(object);
+            }
         }
     }
 }
@@ -114,6 +136,10 @@ mod tests {
             ("union{sphere{0,1} box{0,1} split_union off}", [1, 0, 0]),
             ("union{sphere{0,1} light_source{1,1}}", [1, 0, 1]),
             ("light_source{1,1 looks_like{sphere{0,1}}}", [0, 0, 1]),
+            ("plane{y,0} light_source{1,1 looks_like{sphere{0,1}}}", [0, 1, 1]),
+            ("sphere{0,1} plane{y,0} light_source{1,1 looks_like{sphere{0,1}}}", [2, 1, 1]),
+            ("light_source{1,1} light_source{1,1} light_source{1,1 looks_like{sphere{0,1}}}", [1, 0, 3]),
+            ("sphere{0,1} sphere{0,1} light_group{light_source{1,1 looks_like{sphere{0,1}}}}", [3, 0, 0]),
             ("light_group{union{sphere{0,1} box{0,1}} light_source{1,1}}", [2, 0, 0]),
             ("merge{sphere{0,1} box{0,1}}", [1, 0, 0]),
             ("intersection{plane{y,0} plane{x,0}}", [0, 1, 0]),

@@ -7,6 +7,7 @@ use crate::cli::exit::{Exit, Failure};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 pub struct Glint {
@@ -109,12 +110,14 @@ fn panic_message(text: &str) -> String {
 /// A folder that goes when it is no longer needed.
 pub struct Temporary {
     path: PathBuf,
-    files: std::sync::atomic::AtomicUsize,
+    files: AtomicUsize,
 }
 
 impl Temporary {
     pub fn new(name: &str) -> Result<Self, Failure> {
-        let path = std::env::temp_dir().join(format!("glint-crosscheck-{name}-{}", std::process::id()));
+        static FOLDERS: AtomicUsize = AtomicUsize::new(0);
+        let n = FOLDERS.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("glint-crosscheck-{name}-{}-{n}", std::process::id()));
         let made = std::fs::create_dir_all(&path);
         made.map_err(|e| Failure::unavailable(format!("{}: {e}", path.display())))?;
         Ok(Self { path, files: 0.into() })
@@ -122,7 +125,7 @@ impl Temporary {
 
     /// A new file name in the folder.
     pub fn file(&self, extension: &str) -> PathBuf {
-        let n = self.files.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        let n = self.files.fetch_add(1, Ordering::Relaxed);
         self.path.join(format!("{n}.{extension}"))
     }
 }
