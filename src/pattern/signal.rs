@@ -27,6 +27,8 @@ pub struct Signal {
     pub poly_exponent: f64,
     /// Bits of all generators written; 0 for the scene's.
     pub noise_generator: u32,
+    /// Whether turbulence moves points before the pattern sees them.
+    displaced: bool,
 }
 
 impl Default for Signal {
@@ -40,6 +42,7 @@ impl Default for Signal {
             wave: Wave::Ramp,
             poly_exponent: 1.0,
             noise_generator: 0,
+            displaced: true,
         }
     }
 }
@@ -63,6 +66,7 @@ impl Signal {
         if let Some(wave) = character.wave {
             self.wave = wave;
         }
+        self.displaced = !character.absorbs_turbulence;
         self.pattern = pattern;
     }
 
@@ -85,7 +89,7 @@ impl Signal {
     #[inline]
     pub fn warp(&self, p: Vec3) -> Vec3 {
         let p = self.chain.apply(p);
-        let p = if self.pattern.character().absorbs_turbulence { p } else { self.turbulence.displace(p) };
+        let p = if self.displaced { self.turbulence.displace(p) } else { p };
         p.clamp(Vec3::splat(-1e17), Vec3::splat(1e17))
     }
 

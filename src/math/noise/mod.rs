@@ -54,16 +54,16 @@ fn clamp01(v: f64) -> f64 {
 /// The largest coordinate that is split into cell and fraction; doubles twice as large are whole numbers.
 const LARGEST: f64 = 2_251_799_813_685_248.0;
 
-/// Splits a coordinate into the low bits of its floor and the fraction 0..1.
+/// Splits a coordinate into the low bits of its floor and the fraction. A whole number may count to the cell
+/// below it, with a fraction of 1: all noise is continuous, and this saves a comparison.
 #[inline(always)]
 fn split(v: f64) -> (u32, f64) {
     // Adding 1.5 * 2^52 rounds to a whole number, which then stands in the low bits of the double.
     const ROUND: f64 = 6_755_399_441_055_744.0;
     let v = if v > -LARGEST { v } else { -LARGEST };
     let v = if v < LARGEST { v } else { LARGEST };
-    let sum = v + ROUND;
-    let (whole, bits) = (sum - ROUND, sum.to_bits() as u32);
-    if whole > v { (bits.wrapping_sub(1), v - (whole - 1.0)) } else { (bits, v - whole) }
+    let sum = (v - 0.5) + ROUND;
+    (sum.to_bits() as u32, v - (sum - ROUND))
 }
 
 /// `3f^2 - 2f^3`: rises from 0 to 1 with no slope at either end.
@@ -118,10 +118,25 @@ mod tests {
 
     #[test]
     fn split_is_floor_and_fraction() {
-        for v in [0.0, 0.5, -0.5, -1.0, 1e9 + 0.25, -1e9 - 0.25, 4096.5, -1e-20] {
+        for v in [0.0, 0.5, -0.5, -1.0, 1e9 + 0.25, -1e9 - 0.25, 4096.5, -1e-20, 0.999999] {
             let (bits, f) = split(v);
-            assert_eq!(bits, v.floor() as i64 as u32, "{v}");
-            assert_eq!(f, v - v.floor(), "{v}");
+            let below = if f == 1.0 { v - 1.0 } else { v.floor() };
+            assert_eq!(bits, below as i64 as u32, "{v}");
+            assert!((f - (v - below)).abs() < 1e-15, "{v}");
+        }
+    }
+
+    #[test]
+    fn noise_is_continuous_across_cells() {
+        for n in 1..=3 {
+            let generator = NoiseGenerator::from_number(n).unwrap();
+            for i in -5..5 {
+                let p = Vec3::new(f64::from(i), 0.3, f64::from(i) * 0.7);
+                let (before, after) = (p - Vec3::X * 1e-9, p + Vec3::X * 1e-9);
+                assert!((noise(before, generator) - noise(after, generator)).abs() < 1e-8);
+                assert!((noise(p, generator) - noise(after, generator)).abs() < 1e-8);
+                assert!((vector_noise(p) - vector_noise(before)).length() < 1e-7);
+            }
         }
     }
 
