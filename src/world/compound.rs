@@ -26,12 +26,31 @@ pub(super) struct Compound {
     pub tree: Option<Bvh>,
     /// Only what all of these contain is kept.
     pub clips: Vec<Solid>,
+    /// A ray that misses one of these, and does not start in it, misses everything.
+    pub gates: Vec<Solid>,
 }
 
 /// A crossing and the child that it belongs to.
 type Tagged = (Found, usize);
 
 impl Compound {
+    /// An empty union.
+    pub fn nothing() -> Self {
+        Self {
+            op: Op::Union,
+            children: Vec::new(),
+            child_bounds: Vec::new(),
+            tree: None,
+            clips: Vec::new(),
+            gates: Vec::new(),
+        }
+    }
+
+    /// Whether the ray meets or starts in all gates.
+    fn opens(&self, geometry: &Geometry, ray: &Ray) -> bool {
+        self.gates.iter().all(|&g| geometry.contains(g, ray.origin) || geometry.meets(g, ray, Range::FORWARD))
+    }
+
     pub fn nearest(&self, geometry: &Geometry, ray: &Ray, range: Range) -> Option<Found> {
         with_found(|list| {
             self.crossings(geometry, ray, range, list);
@@ -40,6 +59,9 @@ impl Compound {
     }
 
     pub fn crossings(&self, geometry: &Geometry, ray: &Ray, range: Range, out: &mut Vec<Found>) {
+        if !self.opens(geometry, ray) {
+            return;
+        }
         let first = out.len();
         match self.op {
             Op::Union => self.each_child(ray, range, |i| {

@@ -146,28 +146,22 @@ impl Flattened {
         for (_, b) in &clips {
             bounds = bounds.intersection(*b);
         }
-        bounds = self.shrunk(bounds, object, outer);
-        if clips.is_empty() {
+        let gates: Vec<(Solid, Aabb)> =
+            object.bounded_by.iter().filter_map(|b| self.solid(b, &region(outer))).collect();
+        bounds = shrunk(bounds, object, &gates);
+        let gates: Vec<Solid> =
+            if keeps_bounds(object) { gates.into_iter().map(|(s, _)| s).collect() } else { Vec::new() };
+        if clips.is_empty() && gates.is_empty() {
             return Some((solid, bounds));
         }
-        let clips = clips.into_iter().map(|(s, _)| s).collect();
-        let wrapper =
-            Compound { op: Op::Union, children: vec![solid], child_bounds: vec![bounds], tree: None, clips };
+        let wrapper = Compound {
+            children: vec![solid],
+            child_bounds: vec![bounds],
+            clips: clips.into_iter().map(|(s, _)| s).collect(),
+            gates,
+            ..Compound::nothing()
+        };
         Some((self.compound(wrapper), bounds))
-    }
-
-    /// The object's box, or that of its `bounded_by` objects where it is smaller.
-    fn shrunk(&mut self, bounds: Aabb, object: &Object, outer: &Inherited) -> Aabb {
-        let mut box_of_bounds = Aabb::INFINITE;
-        for b in &object.bounded_by {
-            if !b.flags.inverse
-                && let Some((_, b)) = self.solid(b, &region(outer))
-            {
-                box_of_bounds = box_of_bounds.intersection(b);
-            }
-        }
-        let smaller = box_of_bounds.volume() < bounds.volume() || !bounds.is_finite();
-        if smaller { bounds.intersection(box_of_bounds) } else { bounds }
     }
 
     fn leaf(&mut self, object: &Object, outer: &Inherited) -> (Solid, Aabb) {
@@ -259,7 +253,7 @@ impl Flattened {
             && child_bounds.iter().all(|b| b.is_finite()))
         .then(|| Bvh::build(&child_bounds, Quality::Best));
         self.geometry.compounds[slot as usize] =
-            Compound { op, children: solids, child_bounds, tree, clips: Vec::new() };
+            Compound { op, children: solids, child_bounds, tree, ..Compound::nothing() };
         (Solid::Compound(slot), bounds)
     }
 
@@ -368,9 +362,7 @@ impl Flattened {
     }
 
     fn reserve(&mut self) -> u32 {
-        let empty =
-            Compound { op: Op::Union, children: vec![], child_bounds: vec![], tree: None, clips: vec![] };
-        self.geometry.compounds.push(empty);
+        self.geometry.compounds.push(Compound::nothing());
         self.geometry.compounds.len() as u32 - 1
     }
 
@@ -382,6 +374,28 @@ impl Flattened {
 
     fn nothing(&mut self) -> Solid {
         Solid::Compound(self.reserve())
+    }
+}
+
+/// The object's box, or that of its `bounded_by` objects where it is smaller.
+fn shrunk(bounds: Aabb, object: &Object, gates: &[(Solid, Aabb)]) -> Aabb {
+    let mut box_of_bounds = Aabb::INFINITE;
+    for (gate, (_, b)) in object.bounded_by.iter().zip(gates) {
+        if !gate.flags.inverse {
+            box_of_bounds = box_of_bounds.intersection(*b);
+        }
+    }
+    let smaller = box_of_bounds.volume() < bounds.volume() || !bounds.is_finite();
+    if smaller { bounds.intersection(box_of_bounds) } else { bounds }
+}
+
+/// Whether rays that miss the `bounded_by` objects miss the object too: the language keeps the bounds of
+/// combinations and of algebraic surfaces, and drops those of other shapes.
+fn keeps_bounds(object: &Object) -> bool {
+    match &object.body {
+        Body::Csg { .. } => true,
+        Body::Shape(shape) => matches!(shape.kind(), "poly" | "quadric"),
+        Body::Light(_) => false,
     }
 }
 

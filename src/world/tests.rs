@@ -184,3 +184,19 @@ fn of_coincident_objects_the_first_in_the_scene_shows() {
     let ray = Ray::new(Vec3::new(0.3, 0.2, -5.0), Vec3::Z);
     assert_eq!(flat.geometry.nearest(&ray, Range::FORWARD, RayClass::Image).map(|f| f.leaf), Some(1));
 }
+
+#[test]
+fn bounds_cut_combinations_ray_by_ray_and_leave_other_shapes() {
+    let bound = Arc::new(shape(Sphere::new(Vec3::ZERO, 0.5)));
+    let mut ball = shape(Sphere::new(Vec3::ZERO, 1.0));
+    ball.bounded_by.push(bound.clone());
+    let mut union =
+        csg(CsgOp::Union, &[&shape(Sphere::new(Vec3::ZERO, 1.0)), &shape(Sphere::new(Vec3::ZERO, 0.1))]);
+    union.bounded_by.push(bound);
+    // Meets the ball outside of the small sphere's box; meets the box but not the small sphere; meets both.
+    for (x, in_union) in [(0.6, false), (0.48, false), (0.3, true)] {
+        let ray = Ray::new(Vec3::new(x, 0.45 * x, -5.0), Vec3::Z);
+        assert_eq!(ObjectQuery::new(&union).trace(&ray).is_some(), in_union, "{x}");
+        assert!(ObjectQuery::new(&ball).trace(&ray).is_some());
+    }
+}
