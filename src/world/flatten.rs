@@ -328,13 +328,22 @@ impl Flattened {
     /// The object's own interior, else that of what it stands in, else a new default one.
     fn interior(&mut self, object: &Object, outer: &Inherited) -> InteriorId {
         let hollow = object.flags.hollow.or(outer.flags.hollow).unwrap_or(false);
+        let old_words = old_words(&object.textures);
         if object.interior.is_none()
+            && old_words == (None, None)
             && let Some(shared) = outer.interior
         {
             return shared;
         }
         let own = object.interior.as_ref();
-        let interior = own.map_or_else(|| Arc::new(Interior::default()), |a| a.value.clone());
+        let shared = outer.interior.map(|id| self.interiors[id.0 as usize].interior.clone());
+        let mut interior = own.map(|a| a.value.clone()).or(shared).unwrap_or_default();
+        if let Some(ior) = old_words.0 {
+            Arc::make_mut(&mut interior).ior = ior;
+        }
+        if let Some(caustics) = old_words.1 {
+            Arc::make_mut(&mut interior).caustics = caustics;
+        }
         let transform = own.map_or(outer.to_world, |a| a.transform.then(&outer.to_world));
         self.interiors.push(Inside { interior, transform, hollow });
         InteriorId(self.interiors.len() as u32 - 1)
@@ -375,6 +384,21 @@ impl Flattened {
     fn nothing(&mut self) -> Solid {
         Solid::Compound(self.reserve())
     }
+}
+
+/// `ior` and `caustics` that stand in a finish, as the oldest scenes have them: they belong to the interior
+/// if the texture is a plain one. Such a `caustics` is 45 times weaker than the interior's.
+fn old_words(textures: &[Attached<Texture>]) -> (Option<f32>, Option<f32>) {
+    let mut words = (None, None);
+    for texture in textures {
+        if let Texture::Layers(layers) = &*texture.value {
+            for layer in layers {
+                words.0 = layer.finish.ior.or(words.0);
+                words.1 = layer.finish.caustics.map(|c| c / 45.0).or(words.1);
+            }
+        }
+    }
+    words
 }
 
 /// The object's box, or that of its `bounded_by` objects where it is smaller.
