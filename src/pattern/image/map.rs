@@ -207,9 +207,11 @@ impl ImageMap {
         }
     }
 
-    /// Whether the image lets no light through anywhere. Shadows ask: to them an image used `once` stops
-    /// light around its area too, as in the reference.
+    /// Whether no point lets light through.
     pub fn is_opaque(&self) -> bool {
+        if self.placement.once {
+            return false;
+        }
         match self.palette.is_empty() {
             true => self.filter == 0.0 && self.transmit == 0.0 && self.image.is_opaque(),
             false => self.palette.iter().all(|c| !c.is_transparent()),
