@@ -8,7 +8,6 @@ use std::path::{Component, Path, PathBuf};
 /// What a file is for; it decides the extensions that are tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    Scene,
     Include,
     /// Text read by `#fopen`, and whatever has no extension of its own.
     Data,
@@ -17,14 +16,12 @@ pub(crate) enum Kind {
     Ppm,
     Pgm,
     Gif,
-    Iff,
     Jpeg,
     Tiff,
     Bmp,
     Exr,
     Hdr,
     Pot,
-    Sys,
     Df3,
     Font,
 }
@@ -32,15 +29,13 @@ pub(crate) enum Kind {
 impl Kind {
     fn extensions(self) -> &'static [&'static str] {
         match self {
-            Kind::Scene => &[".pov", ".POV"],
             Kind::Include => &[".inc", ".INC"],
-            Kind::Data | Kind::Sys => &[],
+            Kind::Data => &[],
             Kind::Tga => &[".tga", ".TGA"],
             Kind::Png => &[".png", ".PNG"],
             Kind::Ppm => &[".ppm", ".PPM"],
             Kind::Pgm => &[".pgm", ".PGM"],
             Kind::Gif => &[".gif", ".GIF"],
-            Kind::Iff => &[".iff", ".IFF"],
             Kind::Jpeg => &[".jpg", ".JPG", ".jpeg", ".JPEG"],
             Kind::Tiff => &[".tif", ".TIF", ".tiff", ".TIFF"],
             Kind::Bmp => &[".bmp", ".BMP"],

@@ -15,7 +15,7 @@ pub fn quantile(k: u32, confidence: f64) -> f64 {
     if a == 0.0 {
         return 0.0;
     }
-    if k % 2 == 0 || k > 26 {
+    if k.is_multiple_of(2) || k > 26 {
         return 2.0 * solve(|x| upper(a, x), confidence);
     }
     let low = TABLE_ERROR * (1.0 - confidence);

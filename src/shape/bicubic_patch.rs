@@ -250,7 +250,7 @@ impl Shape for BicubicPatch {
         let [a, b, c] = self.corners(crossing).map(|uv| self.at(uv));
         // The same way round as the patch's own: u is along i, v along j.
         let n = (b - a).cross(c - a);
-        let n = if crossing.part % 2 == 0 { -n } else { n };
+        let n = if crossing.part.is_multiple_of(2) { -n } else { n };
         Some(n.normalize_or(Vec3::Y))
     }
 

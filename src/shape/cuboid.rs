@@ -80,13 +80,13 @@ impl Shape for Cuboid {
 
     fn normal(&self, _p: Vec3, crossing: &Crossing) -> Vec3 {
         let mut n = Vec3::ZERO;
-        n[crossing.part as usize / 2] = if crossing.part % 2 == 0 { -1.0 } else { 1.0 };
+        n[crossing.part as usize / 2] = if crossing.part.is_multiple_of(2) { -1.0 } else { 1.0 };
         n
     }
 
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
         let axis = crossing.part as usize / 2;
-        let face = if crossing.part % 2 == 0 { self.extent.min } else { self.extent.max };
+        let face = if crossing.part.is_multiple_of(2) { self.extent.min } else { self.extent.max };
         let mut p = ray.at(crossing.t).clamp(self.extent.min, self.extent.max);
         p[axis] = face[axis];
         (p, rounding(p.abs().max_element()))

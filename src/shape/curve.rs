@@ -58,11 +58,6 @@ impl Piece {
         Self::new([a, b - a, Vec2::ZERO, Vec2::ZERO], a, b)
     }
 
-    /// The parabola that leaves `a` towards `b` and comes to `c` from there.
-    pub fn parabola(a: Vec2, b: Vec2, c: Vec2) -> Self {
-        Self::new([a, 2.0 * (b - a), a - 2.0 * b + c, Vec2::ZERO], a, c)
-    }
-
     /// From `b` to `c`; at `b` parallel to `a c`.
     fn quadratic(a: Vec2, b: Vec2, c: Vec2) -> Self {
         Self::new([b, 0.5 * (c - a), 0.5 * (a - 2.0 * b + c), Vec2::ZERO], b, c)

@@ -29,7 +29,7 @@ impl Span {
     }
 
     pub fn is_empty(&self) -> bool {
-        !(self.enter.0 <= self.leave.0)
+        self.enter.0 > self.leave.0 || self.enter.0.is_nan() || self.leave.0.is_nan()
     }
 
     /// Both ends in order as crossings inside `range`, unless `skip` names their part.

@@ -45,23 +45,23 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         if !site.hit.ignores_global_lights {
             for (i, light) in world.lights.iter().enumerate() {
-                sum += self.from_light(site, look, light, site.lit.map(|base| base + i));
+                sum += self.by_light(site, look, light, site.lit.map(|base| base + i));
             }
         }
         let (first, end) = site.hit.group_lights;
         for light in &world.group_lights[first as usize..end as usize] {
-            sum += self.from_light(site, look, light, None);
+            sum += self.by_light(site, look, light, None);
         }
         sum
     }
 
     /// `kept` is the place of the light's shadowed colour among those of this hit.
-    fn from_light(&mut self, site: &Site, look: &Look, source: &WorldLight, kept: Option<usize>) -> Rgb {
+    fn by_light(&mut self, site: &Site, look: &Look, source: &WorldLight, kept: Option<usize>) -> Rgb {
         let point = site.hit.point;
         let light = &source.light;
         let lamps = light.area.as_ref().filter(|a| a.illumination && self.uses_area(site.path.class));
         if lamps.is_some() {
-            return self.from_lamps(site, look, source);
+            return self.by_lamps(site, look, source);
         }
         let Some(arrival) = light.arrival(point, Vec3::ZERO) else { return Rgb::ZERO };
         let Some(behind) = look.is_lit_from_behind(arrival.direction, site.hit.double_illuminate) else {
@@ -85,7 +85,7 @@ impl Tracer<'_> {
     }
 
     /// Every lamp of an area light with its own direction; the shadow is that of the whole.
-    fn from_lamps(&mut self, site: &Site, look: &Look, source: &WorldLight) -> Rgb {
+    fn by_lamps(&mut self, site: &Site, look: &Look, source: &WorldLight) -> Rgb {
         let (light, point) = (&source.light, site.hit.point);
         let Some(area) = &light.area else { return Rgb::ZERO };
         let (direction, distance) = light.towards(point, Vec3::ZERO);

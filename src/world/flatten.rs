@@ -8,7 +8,7 @@ use super::compound::{Compound, Op};
 use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
 use super::hit::{InteriorId, RayClass, Shading, Surface, SurfaceLayer};
 use super::{Inside, WorldLight};
-use crate::material::{Attached, Interior, Texture};
+use crate::material::{Attached, Texture};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::{Aabb, Transform};
 use crate::scene::{Body, CsgOp, Flags, LightSource, Object};

@@ -143,7 +143,7 @@ mod tests {
     fn fixed_format_pads_and_gives_way() {
         assert_eq!(format_fixed(2.5, 0, 0), "2");
         assert_eq!(format_fixed(3.5, 0, 0), "4");
-        assert_eq!(format_fixed(-3.14159, -10, 3), "-00003.142");
+        assert_eq!(format_fixed(-2.7486, -10, 3), "-00002.749");
         assert_eq!(format_fixed(1e300, 0, 2), "1e+300");
         assert_eq!(format_fixed(f64::INFINITY, -5, 2), "  inf");
     }

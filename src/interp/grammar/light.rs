@@ -28,10 +28,8 @@ impl LightBuilder {
         *light = light.transformed(t);
         self.grid.axis1 = t.vector(self.grid.axis1);
         self.grid.axis2 = t.vector(self.grid.axis2);
-        for body in [&mut self.source.looks_like, &mut self.source.projected_through] {
-            if let Some(body) = body {
-                Arc::make_mut(body).apply(t);
-            }
+        for body in [&mut self.source.looks_like, &mut self.source.projected_through].into_iter().flatten() {
+            Arc::make_mut(body).apply(t);
         }
     }
 

@@ -67,8 +67,8 @@ impl Parser {
                 normal.kind = NormalKind::Average;
                 normal.map = None;
             }
-            _ => match self.pattern(Place::Normal)? {
-                Some(pattern) => {
+            _ => {
+                if let Some(pattern) = self.pattern(Place::Normal)? {
                     normal.kind = NormalKind::Patterned;
                     let items = pattern.character().items;
                     normal.signal.set_pattern(pattern);
@@ -79,8 +79,7 @@ impl Parser {
                         }
                     }
                 }
-                None => (),
-            },
+            }
         }
         self.amount(normal)
     }

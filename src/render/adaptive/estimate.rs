@@ -222,7 +222,7 @@ fn plane(near: &[(f32, f32, &Seen)]) -> (f32, Slope) {
         return (0.0, [[0.0; 2]; 3]);
     }
     let (mut residual, mut slope) = (0.0, [[0.0; 2]; 3]);
-    for k in 0..3 {
+    for (k, slope) in slope.iter_mut().enumerate() {
         let mv = mean(&|p| p.2.light[k]);
         let (xv, yv) = (sum(&|x, _, s| x * (s.light[k] - mv)), sum(&|_, y, s| y * (s.light[k] - mv)));
         let vv = sum(&|_, _, s| (s.light[k] - mv).powi(2));
@@ -231,7 +231,7 @@ fn plane(near: &[(f32, f32, &Seen)]) -> (f32, Slope) {
         let left = (vv - explained).max(0.0) / (n - 3.0);
         residual += left;
         let share = if explained > 0.0 { (1.0 - 2.0 * left / explained).max(0.0) } else { 0.0 };
-        slope[k] = [gx * share, gy * share];
+        *slope = [gx * share, gy * share];
     }
     (residual, slope)
 }

@@ -59,7 +59,7 @@ impl MeshBuilder {
         self.uvs.shrink_to_fit();
         let order = tree.order();
         let faces = reordered(self.faces, order);
-        let mesh = Mesh {
+        Mesh {
             vertices: self.vertices,
             normal_corners: indices(self.normal_corners, !self.normals.is_empty(), order),
             normals: self.normals,
@@ -73,8 +73,7 @@ impl MeshBuilder {
                 tree.forget_order();
                 tree
             },
-        };
-        mesh
+        }
     }
 
     /// The face's box; empty if it has no area.
