@@ -1,11 +1,12 @@
 //! Directives: conditionals, loops, and the dispatch of the others.
 
+use super::kept::Kept;
 use super::stream::{Frame, Source, missing_end};
 use super::symbols::Binding;
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Directive, Keyword, Punct, Symbol, Tok, Token};
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// Below this a number counts as 0 in conditions, and two numbers as equal.
 pub(super) const TINY: f64 = 1e-10;
@@ -176,7 +177,7 @@ impl Parser {
         }
         let kept = self.capture(Token { tok: Tok::Directive(directive), span })?;
         let range = (0, kept.len());
-        let frame = Frame::kept(Arc::new(kept), range, Source::Loop, self.blocks.len(), span);
+        let frame = Frame::kept(Rc::new(Kept::new(kept)), range, Source::Loop, self.blocks.len(), span);
         self.enter_frame(frame);
         Ok(true)
     }

@@ -1,11 +1,13 @@
 //! Numeric expressions: numbers, and tuples of 2 to 5 of them.
 
 use super::directives::TINY;
+use super::program::Level;
 use super::{Parser, Result, Value};
 use crate::color::Color;
 use crate::math::{Vec2, Vec3};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
+use std::cmp::Ordering;
 
 /// What an expression yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +18,9 @@ pub(super) enum Number {
 }
 
 use Number::{Scalar, Tuple};
+
+/// Weights of red, green and blue in a grey value.
+const GREY: [f64; 3] = [0.297, 0.589, 0.114];
 
 impl Number {
     pub fn vector(v: Vec3) -> Self {
@@ -74,17 +79,20 @@ impl Number {
     }
 }
 
-fn truth(v: f64) -> bool {
+pub(super) fn truth(v: f64) -> bool {
     v.abs() > TINY
 }
 
-fn number(b: bool) -> f64 {
+pub(super) fn number(b: bool) -> f64 {
     f64::from(u8::from(b))
 }
 
 impl Parser {
     /// A number, at the additive level (no comparison outside parentheses).
     pub fn float(&mut self) -> Result<f64> {
+        if let Some(v) = self.compiled(Level::Additive) {
+            return Ok(v);
+        }
         let start = self.peek_operand()?.span;
         let value = self.additive()?;
         self.scalar(value, start)
@@ -137,6 +145,9 @@ impl Parser {
 
     /// A full comparison-level number as in `#if (…)` and map keys.
     pub fn condition(&mut self) -> Result<f64> {
+        if let Some(v) = self.compiled(Level::Full) {
+            return Ok(v);
+        }
         let start = self.peek_operand()?.span;
         let value = self.full()?;
         self.scalar(value, start)
@@ -198,29 +209,22 @@ impl Parser {
         let mut left = if self.at_string()? { self.string_comparison()? } else { self.additive()? };
         loop {
             let token = self.peek()?;
-            let Some(op) = comparison(token.tok) else { return Ok(left) };
+            let Some(comparison) = Comparison::from_token(token.tok) else { return Ok(left) };
             self.take(token)?;
             let right = self.additive()?;
-            left = left.with(right, op);
+            left = left.with(right, |a, b| comparison.of(a, b));
         }
     }
 
     fn string_comparison(&mut self) -> Result<Number> {
         let left = self.string_value()?;
         let token = self.peek()?;
-        if comparison(token.tok).is_none() {
+        let Some(comparison) = Comparison::from_token(token.tok) else {
             return Err(self.unexpected("a comparison of two strings"));
-        }
+        };
         self.take(token)?;
         let order = left.chars().cmp(self.string_value()?.chars());
-        Ok(Scalar(number(match token.tok {
-            Tok::Punct(Punct::Less) => order.is_lt(),
-            Tok::Punct(Punct::LessEqual) => order.is_le(),
-            Tok::Punct(Punct::Greater) => order.is_gt(),
-            Tok::Punct(Punct::GreaterEqual) => order.is_ge(),
-            Tok::Punct(Punct::Equal) => order.is_eq(),
-            _ => order.is_ne(),
-        })))
+        Ok(Scalar(number(comparison.holds(order))))
     }
 
     /// `+` and `-`: the level of every argument in the language.
@@ -384,25 +388,22 @@ impl Parser {
         }
         self.next()?;
         let token = self.peek()?;
-        let index = match token.tok {
-            Tok::Word(Keyword::X | Keyword::U | Keyword::Red) => 0,
-            Tok::Word(Keyword::Y | Keyword::V | Keyword::Green) => 1,
-            Tok::Word(Keyword::Z | Keyword::Blue) => 2,
-            Tok::Word(Keyword::T | Keyword::Filter) => 3,
-            Tok::Word(Keyword::Transmit) => 4,
-            Tok::Word(Keyword::Gray) => {
-                self.next()?;
-                let grey = 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];
-                return Ok(Scalar(grey));
-            }
-            _ => return Err(self.unexpected("the name of a component")),
+        let Tok::Word(word) = token.tok else {
+            return Err(self.unexpected("the name of a component"));
+        };
+        if word == Keyword::Gray {
+            self.next()?;
+            return Ok(Scalar((0..3).map(|i| v[i] * GREY[i]).sum()));
+        }
+        let Some(index) = component_index(word) else {
+            return Err(self.unexpected("the name of a component"));
         };
         self.next()?;
-        if index >= n as usize {
+        if index >= n {
             let message = format!("this vector has only {n} components");
             return Err(Box::new(Diagnostic::error(token.span, message)));
         }
-        Ok(Scalar(v[index]))
+        Ok(Scalar(v[index as usize]))
     }
 
     /// Whether the next token can begin a colour or numeric expression.
@@ -473,19 +474,77 @@ fn is_numeric_word(word: Keyword) -> bool {
     super::builtin::is_numeric(word)
 }
 
-fn comparison(tok: Tok) -> Option<fn(f64, f64) -> f64> {
-    let Tok::Punct(punct) = tok else { return None };
-    Some(match punct {
-        Punct::Less => |a, b| number(a < b),
-        Punct::Greater => |a, b| number(a > b),
-        Punct::LessEqual => |a, b| number(a < b || near(a, b)),
-        Punct::GreaterEqual => |a, b| number(a > b || near(a, b)),
-        Punct::Equal => |a, b| number(near(a, b)),
-        Punct::NotEqual => |a, b| number(!near(a, b)),
+/// A word for a number that never changes.
+pub(super) fn scalar_constant(word: Keyword) -> Option<f64> {
+    match constant(word) {
+        Some(Scalar(v)) => Some(v),
+        _ => None,
+    }
+}
+
+/// Which component the word behind a `.` names.
+pub(super) fn component_index(word: Keyword) -> Option<u8> {
+    Some(match word {
+        Keyword::X | Keyword::U | Keyword::Red => 0,
+        Keyword::Y | Keyword::V | Keyword::Green => 1,
+        Keyword::Z | Keyword::Blue => 2,
+        Keyword::T | Keyword::Filter => 3,
+        Keyword::Transmit => 4,
         _ => return None,
     })
 }
 
-fn near(a: f64, b: f64) -> bool {
+/// Equality allows for a small difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Comparison {
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+}
+
+impl Comparison {
+    #[inline]
+    pub fn from_token(tok: Tok) -> Option<Self> {
+        let Tok::Punct(punct) = tok else { return None };
+        Some(match punct {
+            Punct::Less => Self::Less,
+            Punct::Greater => Self::Greater,
+            Punct::LessEqual => Self::LessEqual,
+            Punct::GreaterEqual => Self::GreaterEqual,
+            Punct::Equal => Self::Equal,
+            Punct::NotEqual => Self::NotEqual,
+            _ => return None,
+        })
+    }
+
+    /// 1 if it holds, else 0.
+    #[inline]
+    pub fn of(self, a: f64, b: f64) -> f64 {
+        number(match self {
+            Self::Less => a < b,
+            Self::Greater => a > b,
+            Self::LessEqual => a < b || near(a, b),
+            Self::GreaterEqual => a > b || near(a, b),
+            Self::Equal => near(a, b),
+            Self::NotEqual => !near(a, b),
+        })
+    }
+
+    fn holds(self, order: Ordering) -> bool {
+        match self {
+            Self::Less => order.is_lt(),
+            Self::LessEqual => order.is_le(),
+            Self::Greater => order.is_gt(),
+            Self::GreaterEqual => order.is_ge(),
+            Self::Equal => order.is_eq(),
+            Self::NotEqual => order.is_ne(),
+        }
+    }
+}
+
+pub(super) fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= TINY || a == b
 }

@@ -3,7 +3,7 @@
 use super::stream::Source;
 use super::{Parser, Result};
 use crate::syntax::{Plain, Punct, Tok};
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// Most numbers behind a vector of a list.
 const MOST_NUMBERS: usize = 3;
@@ -101,7 +101,9 @@ impl Parser {
         }
         lexer.seek(end);
         *done = false;
-        Arc::make_mut(&mut frame.tokens).clear();
+        if let Some(kept) = Rc::get_mut(&mut frame.text) {
+            kept.tokens.clear();
+        }
         (frame.at, frame.end) = (0, 0);
         self.last.start = end as u32 - 1;
         self.last.end = end as u32;
@@ -114,7 +116,7 @@ impl Parser {
         let token = self.peek()?;
         let Some(frame) = self.frames.last() else { return Ok(None) };
         let Source::File { lexer, .. } = &frame.source else { return Ok(None) };
-        let here = frame.at > 0 && frame.tokens[frame.at - 1].span == token.span;
+        let here = frame.at > 0 && frame.text[frame.at - 1].span == token.span;
         Ok((here && lexer.file() == token.span.file).then_some(token.span.start as usize))
     }
 }

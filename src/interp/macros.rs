@@ -1,17 +1,18 @@
 //! `#macro` and the calls of macros.
 
+use super::kept::Kept;
 use super::stream::{Frame, Source};
 use super::symbols::{Binding, GLOBAL, Reference, Symbols};
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Directive, Punct, Symbol, Tok, Token};
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// A macro's parameters and body: a range of kept text.
 #[derive(Debug)]
 pub(super) struct Macro {
     parameters: Vec<Symbol>,
-    tokens: Arc<Vec<Token>>,
+    text: Rc<Kept>,
     range: (usize, usize),
     span: Span,
 }
@@ -30,27 +31,27 @@ impl Parser {
             return Err(self.unexpected_token(name, "a name for the macro"));
         };
         let parameters = self.parameters()?;
-        let (tokens, range) = if directive.target == Directive::UNKNOWN {
+        let (text, range) = if directive.target == Directive::UNKNOWN {
             let first = Token { tok: Tok::Directive(directive), span };
-            let kept = Arc::new(self.capture(first)?);
+            let kept = self.capture(first)?;
             let end = kept.len() - 1;
-            (kept, (1, end))
+            (Rc::new(Kept::new(kept)), (1, end))
         } else {
             self.kept_body(directive, span)?
         };
-        let definition = Macro { parameters, tokens, range, span };
-        self.symbols.bind(symbol, GLOBAL, Binding::Macro(Arc::new(definition)));
+        let definition = Macro { parameters, text, range, span };
+        self.symbols.bind(symbol, GLOBAL, Binding::Macro(Rc::new(definition)));
         Ok(())
     }
 
     /// The body of a macro defined in kept text: its range there.
-    fn kept_body(&mut self, directive: Directive, span: Span) -> Result<(Arc<Vec<Token>>, (usize, usize))> {
+    fn kept_body(&mut self, directive: Directive, span: Span) -> Result<(Rc<Kept>, (usize, usize))> {
         let end = directive.target as usize;
         match self.frames.last_mut() {
             Some(frame) if frame.at <= end && end < frame.end => {
                 let range = (frame.at, end);
                 frame.at = end + 1;
-                Ok((frame.tokens.clone(), range))
+                Ok((frame.text.clone(), range))
             }
             _ => Err(super::stream::missing_end(Token { tok: Tok::Directive(directive), span })),
         }
@@ -114,7 +115,7 @@ impl Parser {
             self.symbols.bind_innermost(*parameter, argument);
         }
         let blocks = self.blocks.len();
-        let frame = Frame::kept(called.tokens.clone(), called.range, Source::Macro(name), blocks, span);
+        let frame = Frame::kept(called.text.clone(), called.range, Source::Macro(name), blocks, span);
         self.enter_frame(frame);
         Ok(())
     }

@@ -31,7 +31,9 @@ pub struct Parser {
     pub(super) version: Version,
     /// Where the token taken last stands.
     pub(super) last: Span,
-    ahead: Ahead,
+    pub(super) ahead: Ahead,
+    /// Compiled expressions of kept text.
+    pub(super) programs: Vec<super::program::Program>,
     hold: Option<Hold>,
     /// Open braces, parentheses and brackets.
     nesting: usize,
@@ -69,7 +71,7 @@ pub(crate) struct SceneBuilder {
 
 /// The token seen but not taken.
 #[derive(Clone, Copy)]
-enum Ahead {
+pub(super) enum Ahead {
     None,
     /// Fit for the grammar.
     Ready(Token),
@@ -99,6 +101,7 @@ impl Parser {
             messages: Messages::default(),
             last: Span::default(),
             ahead: Ahead::None,
+            programs: Vec::new(),
             hold: None,
             nesting: 0,
             braces: Vec::new(),
@@ -149,7 +152,7 @@ impl Parser {
                     self.last = token.span;
                     self.directive(directive, token.span)?;
                 }
-                Tok::Identifier(name) if matches!(self.symbols.binding(name), Some(Binding::Macro(_))) => {
+                Tok::Identifier(name) if self.symbols.is_macro(name) => {
                     if !operand && self.holds() {
                         self.ahead = Ahead::Raw(token);
                         return Ok(token);

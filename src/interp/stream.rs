@@ -1,9 +1,10 @@
 //! The token stream: files as they are read, kept text as it is replayed.
 
+use super::kept::Kept;
 use super::{Parser, Result};
 use crate::source::{Diagnostic, FileId, Label, Span};
 use crate::syntax::{Directive, Keyword, Lexer, Punct, Symbol, Tok, Token};
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// How many tokens a file's lexer hands over at a time.
 const BATCH: usize = 256;
@@ -12,7 +13,7 @@ const BATCH: usize = 256;
 #[derive(Debug)]
 pub(super) struct Frame {
     /// For files the tokens at hand, else the whole kept text.
-    pub tokens: Arc<Vec<Token>>,
+    pub text: Rc<Kept>,
     pub at: usize,
     pub end: usize,
     pub source: Source,
@@ -39,17 +40,11 @@ pub(super) enum Source {
 impl Frame {
     pub fn file(lexer: Lexer, blocks: usize, call: Span) -> Self {
         let source = Source::File { lexer, done: false };
-        Self { tokens: Arc::new(Vec::new()), at: 0, end: 0, source, blocks, call }
+        Self { text: Rc::default(), at: 0, end: 0, source, blocks, call }
     }
 
-    pub fn kept(
-        tokens: Arc<Vec<Token>>,
-        range: (usize, usize),
-        source: Source,
-        blocks: usize,
-        call: Span,
-    ) -> Self {
-        Self { tokens, at: range.0, end: range.1, source, blocks, call }
+    pub fn kept(text: Rc<Kept>, range: (usize, usize), source: Source, blocks: usize, call: Span) -> Self {
+        Self { text, at: range.0, end: range.1, source, blocks, call }
     }
 
     /// Whether the frame has a symbol table of its own.
@@ -64,7 +59,7 @@ impl Frame {
     pub fn file_id(&self) -> Option<FileId> {
         match &self.source {
             Source::File { lexer, .. } => Some(lexer.file()),
-            _ => self.tokens.first().map(|t| t.span.file),
+            _ => self.text.tokens.first().map(|t| t.span.file),
         }
     }
 }
@@ -77,7 +72,7 @@ impl Parser {
                 return Ok(Token { tok: Tok::End, span: self.last });
             };
             if frame.at < frame.end {
-                let token = frame.tokens[frame.at];
+                let token = frame.text[frame.at];
                 frame.at += 1;
                 return Ok(token);
             }
@@ -99,7 +94,7 @@ impl Parser {
         }
         Ok(self.frames.last_mut().map(|frame| {
             frame.at += 1;
-            frame.tokens[frame.at - 1]
+            frame.text[frame.at - 1]
         }))
     }
 
@@ -115,14 +110,14 @@ impl Parser {
         let frame = &mut self.frames[index];
         let Source::File { lexer, done } = &mut frame.source else { return Ok(false) };
         // The tokens of a file are never shared: kept text is copied out of them.
-        let tokens = Arc::make_mut(&mut frame.tokens);
+        let Some(Kept { tokens, .. }) = Rc::get_mut(&mut frame.text) else { return Ok(false) };
         tokens.clear();
         (frame.at, frame.end) = (0, 0);
         if *done {
             return Ok(false);
         }
         *done = lexer.fill(&mut self.names, tokens, BATCH)?;
-        frame.end = frame.tokens.len();
+        frame.end = tokens.len();
         Ok(frame.end > 0)
     }
 
@@ -154,9 +149,9 @@ impl Parser {
     /// A token seen too early stands behind the text that now begins.
     fn put_back_ahead(&mut self) {
         if let Some(token) = self.take_ahead() {
-            let tokens = Arc::new(vec![token]);
+            let text = Rc::new(Kept::new(vec![token]));
             let blocks = self.blocks.len();
-            self.frames.push(Frame::kept(tokens, (0, 1), Source::Again, blocks, token.span));
+            self.frames.push(Frame::kept(text, (0, 1), Source::Again, blocks, token.span));
         }
     }
 
@@ -166,7 +161,7 @@ impl Parser {
             let frame = &self.frames[index];
             if frame.at < frame.end || (frame.is_file() && self.refill_frame(index)?) {
                 let frame = &self.frames[index];
-                return Ok(frame.tokens[frame.at].tok);
+                return Ok(frame.text[frame.at].tok);
             }
         }
         Ok(Tok::End)
@@ -215,7 +210,7 @@ impl Parser {
     pub(super) fn skip_clause(&mut self, target: u32, opener: Span) -> Result<(Directive, Span)> {
         if target != Directive::UNKNOWN
             && let Some(frame) = self.frames.last_mut()
-            && let Some(&Token { tok: Tok::Directive(d), span }) = frame.tokens.get(target as usize)
+            && let Some(&Token { tok: Tok::Directive(d), span }) = frame.text.tokens.get(target as usize)
         {
             frame.at = target as usize + 1;
             return Ok((d, span));

@@ -3,13 +3,14 @@
 use super::macros::Macro;
 use super::value::Value;
 use crate::syntax::{Interner, Symbol};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// What a name is bound to.
 #[derive(Clone, Debug)]
 pub(super) enum Binding {
     Value(Value),
-    Macro(Arc<Macro>),
+    Macro(Rc<Macro>),
     /// An open text file, by number.
     File(usize),
     /// A macro parameter that stands for a variable of the caller.
@@ -95,6 +96,24 @@ impl Symbols {
             Binding::Value(Value::Float(v)) => Some(v),
             _ => None,
         }
+    }
+
+    /// The value of a number variable.
+    #[inline]
+    pub fn float(&self, symbol: Symbol) -> Option<f64> {
+        match &self.slots.get(symbol.0 as usize)?.last()?.binding {
+            Binding::Value(Value::Float(v)) => Some(*v),
+            Binding::Reference(reference) => match self.target(reference) {
+                Some(Value::Float(v)) => Some(*v),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    #[inline]
+    pub fn is_macro(&self, symbol: Symbol) -> bool {
+        matches!(self.binding(symbol), Some(Binding::Macro(_)))
     }
 
     pub fn target(&self, reference: &Reference) -> Option<&Value> {

@@ -8,12 +8,13 @@ use crate::syntax::{Keyword, Punct, Tok};
 pub(super) fn is_function(word: Keyword) -> bool {
     use Keyword::*;
     pure(word).is_some()
-        || matches!(word, Acos | Asin | Sqrt | Ln | Log | Atan2 | Pow | Div | Mod | Min | Max | Select)
+        || partial(word).is_some()
+        || matches!(word, Atan2 | Pow | Div | Mod | Min | Max | Select)
         || matches!(word, BitwiseAnd | BitwiseOr | BitwiseXor | Seed | Rand)
 }
 
 /// Functions of one number that are defined everywhere.
-fn pure(word: Keyword) -> Option<fn(f64) -> f64> {
+pub(in crate::interp) fn pure(word: Keyword) -> Option<fn(f64) -> f64> {
     use Keyword::*;
     Some(match word {
         Abs => f64::abs,
@@ -37,6 +38,40 @@ fn pure(word: Keyword) -> Option<fn(f64) -> f64> {
     })
 }
 
+/// A function of one number that is not defined everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::interp) enum Partial {
+    Sqrt,
+    Ln,
+    Log,
+    Acos,
+    Asin,
+}
+
+pub(in crate::interp) fn partial(word: Keyword) -> Option<Partial> {
+    Some(match word {
+        Keyword::Sqrt => Partial::Sqrt,
+        Keyword::Ln => Partial::Ln,
+        Keyword::Log => Partial::Log,
+        Keyword::Acos => Partial::Acos,
+        Keyword::Asin => Partial::Asin,
+        _ => return None,
+    })
+}
+
+impl Partial {
+    /// The value where the function is defined.
+    pub fn of(self, v: f64) -> Option<f64> {
+        match self {
+            Partial::Sqrt => (v >= 0.0 || v.is_nan()).then(|| v.sqrt()),
+            Partial::Ln => (v > 0.0 || v.is_nan()).then(|| v.ln()),
+            Partial::Log => (v > 0.0 || v.is_nan()).then(|| v.log10()),
+            Partial::Acos => (v.abs() <= 1.0 || v.is_nan()).then(|| v.acos()),
+            Partial::Asin => (v.abs() <= 1.0 || v.is_nan()).then(|| v.asin()),
+        }
+    }
+}
+
 /// Towards 0 through a 32-bit integer; what does not fit gives the smallest one.
 pub(in crate::interp) fn truncate(v: f64) -> f64 {
     f64::from(integer(v))
@@ -55,6 +90,9 @@ impl Parser {
         if let Some(f) = pure(word) {
             return self.in_parens(Parser::condition).map(f);
         }
+        if let Some(function) = partial(word) {
+            return self.bounded(word, function, span);
+        }
         match word {
             Keyword::Atan2 | Keyword::Pow | Keyword::Div | Keyword::Mod => self.binary(word, span),
             Keyword::Min => self.fold(f64::min),
@@ -64,31 +102,27 @@ impl Parser {
             Keyword::BitwiseXor => self.fold(|a, b| f64::from(integer(a) ^ integer(b))),
             Keyword::Select => self.select(),
             Keyword::Seed => self.seed(),
-            Keyword::Rand => self.rand(span),
-            _ => self.bounded(word, span),
+            _ => self.rand(span),
         }
     }
 
-    /// Functions that are not defined everywhere.
-    fn bounded(&mut self, word: Keyword, span: Span) -> Result<f64> {
+    fn bounded(&mut self, word: Keyword, function: Partial, span: Span) -> Result<f64> {
         let v = self.in_parens(Parser::condition)?;
+        if let Some(value) = function.of(v) {
+            return Ok(value);
+        }
         let span = span.to(self.last);
-        Ok(match word {
-            Keyword::Sqrt if v < 0.0 => return Err(domain(span, word, v, "at least 0")),
-            Keyword::Sqrt => v.sqrt(),
-            Keyword::Ln | Keyword::Log if v <= 0.0 => return Err(domain(span, word, v, "above 0")),
-            Keyword::Ln => v.ln(),
-            Keyword::Log => v.log10(),
-            _ => {
-                if v.abs() > 1.0 {
-                    let message =
-                        format!("{}({v}) is not defined: taken at {}", word.text(), v.clamp(-1.0, 1.0));
-                    self.warn(Diagnostic::warning(span, message));
-                }
-                let v = v.clamp(-1.0, 1.0);
-                if word == Keyword::Acos { v.acos() } else { v.asin() }
+        let range = match function {
+            Partial::Sqrt => "at least 0",
+            Partial::Ln | Partial::Log => "above 0",
+            Partial::Acos | Partial::Asin => {
+                let message = format!("{}({v}) is not defined: taken at {}", word.text(), v.clamp(-1.0, 1.0));
+                self.warn(Diagnostic::warning(span, message));
+                return Ok(function.of(v.clamp(-1.0, 1.0)).unwrap_or(v));
             }
-        })
+        };
+        let message = format!("{}({v}) is not defined: the argument must be {range}", word.text());
+        Err(Box::new(Diagnostic::error(span, message)))
     }
 
     fn binary(&mut self, word: Keyword, span: Span) -> Result<f64> {
@@ -163,9 +197,4 @@ impl Parser {
             }
         }
     }
-}
-
-fn domain(span: Span, word: Keyword, v: f64, range: &str) -> Box<Diagnostic> {
-    let message = format!("{}({v}) is not defined: the argument must be {range}", word.text());
-    Box::new(Diagnostic::error(span, message))
 }

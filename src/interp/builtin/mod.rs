@@ -10,6 +10,7 @@ use super::expr::Number;
 use super::{Parser, Result};
 use crate::syntax::{Keyword, Punct, Token};
 
+pub(super) use arithmetic::{Partial, partial, pure, truncate};
 pub(super) use date::format_date;
 pub(super) use text::{format_fixed, format_general};
 

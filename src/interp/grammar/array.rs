@@ -128,13 +128,19 @@ impl Parser {
             let open = self.expect_punct(Punct::LeftBracket)?;
             let value = self.float()?;
             self.expect_punct(Punct::RightBracket)?;
-            let index = (value + SLACK).floor();
-            if !(0.0..size as f64).contains(&index) {
+            let index = array_index(value, size).ok_or_else(|| {
                 let span = open.span.to(self.last);
                 let message = format!("subscript {value} is outside 0 to {}", size - 1);
-                return Err(Box::new(Diagnostic::error(span, message)));
-            }
-            Ok(flat * size + index as usize)
+                Box::new(Diagnostic::error(span, message))
+            })?;
+            Ok(flat * size + index)
         })
     }
+}
+
+/// The subscript that a number means; `None` outside `0..size`.
+#[inline]
+pub(in crate::interp) fn array_index(value: f64, size: usize) -> Option<usize> {
+    let index = (value + SLACK).floor();
+    (index >= 0.0 && index < size as f64).then_some(index as usize)
 }

@@ -1,5 +1,6 @@
 //! Assignments: `#declare`, `#local`, `#undef`, and what may stand on their right side.
 
+use crate::interp::program::Level;
 use crate::interp::symbols::{Binding, GLOBAL, Place, Reference};
 use crate::interp::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
@@ -190,6 +191,9 @@ impl Parser {
 
     /// What may be assigned or passed to a macro.
     pub(in crate::interp) fn rvalue(&mut self) -> Result<Rvalue> {
+        if let Some(v) = self.compiled(Level::Additive) {
+            return Ok(Rvalue { value: Value::Float(v), numeric: true });
+        }
         let token = self.peek_operand()?;
         if let Tok::Identifier(_) = token.tok {
             return self.identifier_rvalue();

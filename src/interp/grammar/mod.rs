@@ -42,3 +42,5 @@ mod transform;
 mod warp;
 
 pub(super) use image::LoadedImage;
+
+pub(super) use array::array_index;

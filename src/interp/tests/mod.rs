@@ -7,6 +7,7 @@ mod images;
 mod lists;
 mod macros;
 mod oracle;
+mod programs;
 mod queries;
 mod surface;
 mod textfiles;
