@@ -1,5 +1,5 @@
 // Method 1, depth 3, threshold 0.3.
-// Options: +A0.3 +AM1 +R3
+//! options: -A=0.3 --aa-method 1 --aa-depth 3 --jitter off
 #version 3.7;
 global_settings { assumed_gamma 1 }
 

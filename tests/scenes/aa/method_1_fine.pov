@@ -1,5 +1,5 @@
 // Method 1, depth 5, threshold 0.05.
-// Options: +A0.05 +AM1 +R5
+//! options: -A=0.05 --aa-method 1 --aa-depth 5 --jitter off
 #version 3.7;
 global_settings { assumed_gamma 1 }
 

@@ -1,5 +1,5 @@
 // Method 2, threshold 0.3, depth 2.
-// Options: +A0.3 +AM2 +R2
+//! options: -A=0.3 --aa-method 2 --aa-depth 2 --jitter off
 #version 3.7;
 global_settings { assumed_gamma 1 }
 

@@ -1,5 +1,5 @@
 // Method 2, threshold 0.02, depth 4.
-// Options: +A0.02 +AM2 +R4
+//! options: -A=0.02 --aa-method 2 --aa-depth 4 --jitter off
 #version 3.7;
 global_settings { assumed_gamma 1 }
 

@@ -1,4 +1,5 @@
 // At the origin.
+//! no reference: twins are compared with each other
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare O = <0, 0, 0>;
