@@ -111,3 +111,26 @@ impl Material {
         }
     }
 }
+
+impl Object {
+    /// Old scenes write `ior` and `caustics` in a finish: the last layer that has them decides, even against the
+    /// object's own interior.
+    pub(super) fn take_interior_from_finish(&mut self) {
+        let (mut ior, mut caustics) = (None, None);
+        for texture in &self.textures {
+            if let Texture::Layers(layers) = &*texture.value {
+                for layer in layers {
+                    ior = layer.finish.ior.or(ior);
+                    caustics = layer.finish.caustics.or(caustics);
+                }
+            }
+        }
+        if ior.is_none() && caustics.is_none() {
+            return;
+        }
+        let attached = self.interior.get_or_insert_with(|| Attached::new(Arc::new(Interior::default())));
+        let interior = Arc::make_mut(&mut attached.value);
+        interior.ior = ior.unwrap_or(interior.ior);
+        interior.caustics = caustics.unwrap_or(interior.caustics);
+    }
+}

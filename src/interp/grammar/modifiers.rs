@@ -20,6 +20,7 @@ impl Parser {
                 return Err(self.unexpected("an object modifier or `}`"));
             }
         }
+        object.take_interior_from_finish();
         Ok(())
     }
 
