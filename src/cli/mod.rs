@@ -9,6 +9,7 @@ pub mod diagnostic;
 mod exit;
 mod explain;
 mod golden;
+mod in_order;
 mod interrupt;
 mod json;
 mod output;

@@ -14,6 +14,7 @@ mod scenes;
 
 use super::args::CrosscheckArgs;
 use super::exit::{Exit, Failure};
+use super::in_order::{cores, in_order};
 use super::{interrupt, json};
 use crate::picture::Output;
 use crate::picture::compare::{compare, difference_image, png_bytes};
@@ -25,8 +26,6 @@ pub use request::Request;
 use row::{Row, Status, Summary};
 pub use scenes::{Scene, search};
 use serde::Serialize;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// One program's answer for a scene.
@@ -61,7 +60,8 @@ pub fn run(args: &CrosscheckArgs) -> Result<Exit, Failure> {
         pictures: args.report.is_some(),
     };
     interrupt::listen();
-    let rows = work.all(&scenes, args);
+    let jobs = args.jobs.map_or_else(cores, usize::from);
+    let rows = in_order(&scenes, jobs, |scene| work.row(scene), |_, row| show(row, args));
     let summary = Summary::of(&rows);
     if let Some(path) = &args.report {
         Output::File(path.clone()).write(html::page(&rows, &summary, args.min_psnr).as_bytes())?;
@@ -95,27 +95,6 @@ struct Work {
 }
 
 impl Work {
-    /// All rows in the order of the scenes, several at a time; each is shown as soon as those before it.
-    fn all(&self, scenes: &[Scene], args: &CrosscheckArgs) -> Vec<Row> {
-        let jobs = args.jobs.map_or_else(cores, usize::from).min(scenes.len().max(1));
-        let next = AtomicUsize::new(0);
-        let table = Mutex::new(Table { rows: scenes.iter().map(|_| None).collect(), shown: 0 });
-        std::thread::scope(|scope| {
-            for _ in 0..jobs {
-                scope.spawn(|| {
-                    while let Some((i, scene)) = take(&next, scenes) {
-                        let row = self.row(scene);
-                        let mut table = table.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-                        table.rows[i] = Some(row);
-                        table.show(args);
-                    }
-                });
-            }
-        });
-        let table = table.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
-        table.rows.into_iter().flatten().collect()
-    }
-
     fn row(&self, scene: &Scene) -> Row {
         let mut row = Row::new(scene.name.clone());
         let reference = match self.reference.picture(scene) {
@@ -156,14 +135,6 @@ impl Work {
     }
 }
 
-fn take<'a>(next: &AtomicUsize, scenes: &'a [Scene]) -> Option<(usize, &'a Scene)> {
-    if interrupt::requested() {
-        return None;
-    }
-    let i = next.fetch_add(1, Ordering::Relaxed);
-    scenes.get(i).map(|scene| (i, scene))
-}
-
 /// A time limit as it was typed.
 fn seconds(value: f64, option: &str) -> Result<Duration, Failure> {
     let positive = Some(value).filter(|&v| v > 0.0);
@@ -171,26 +142,12 @@ fn seconds(value: f64, option: &str) -> Result<Duration, Failure> {
     limit.ok_or_else(|| Failure::usage(format!("{option} {value}: expected a positive number of seconds")))
 }
 
-pub fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
-}
-
-/// Rows as they come in.
-struct Table {
-    rows: Vec<Option<Row>>,
-    shown: usize,
-}
-
-impl Table {
-    fn show(&mut self, args: &CrosscheckArgs) {
-        while let Some(Some(row)) = self.rows.get(self.shown) {
-            self.shown += 1;
-            if args.json && !args.quiet {
-                eprintln!("{}", row.line());
-            } else if !args.json {
-                // A reader that has gone away does not stop the check: the report is still to come.
-                let _ = json::print_text(&format!("{}\n", row.line()));
-            }
-        }
+/// Shows a row: on stdout if that is what was asked for.
+fn show(row: &Row, args: &CrosscheckArgs) {
+    if args.json && !args.quiet {
+        eprintln!("{}", row.line());
+    } else if !args.json {
+        // A reader that has gone away does not stop the check: the report is still to come.
+        let _ = json::print_text(&format!("{}\n", row.line()));
     }
 }

@@ -18,8 +18,9 @@ mod project;
 
 use super::args::{GoldenArgs, GoldenCommand};
 use super::compare::decibels;
-use super::crosscheck::{Glint, NoPicture, Program, Rendering, cores};
+use super::crosscheck::{Glint, NoPicture, Program, Rendering};
 use super::exit::{Exit, Failure};
+use super::in_order::{cores, in_order};
 use super::{interrupt, json};
 use crate::picture::compare::{Difference, compare, difference_image};
 use crate::picture::load::{Values, from_bytes, load};
@@ -27,7 +28,6 @@ use crate::picture::{Output, compare::png_bytes};
 use header::Header;
 use project::{Entry, Project};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// A golden picture may be off by this many steps of 1/255 in any channel: other processors round otherwise.
@@ -51,8 +51,7 @@ pub fn run(command: &GoldenCommand) -> Result<Exit, Failure> {
 type Verdict = Result<String, String>;
 
 fn check(project: &Project, entries: &[Entry], all: bool) -> Result<Exit, Failure> {
-    let verdicts = each(entries, |entry| check_one(project, entry));
-    let mut failed = report(entries, &verdicts)?;
+    let mut failed = each(entries, |entry| check_one(project, entry));
     if all {
         for orphan in project.orphans(entries)? {
             json::print_text(&format!("FAILED  {}: no scene owns this picture\n", orphan.display()))?;
@@ -108,11 +107,10 @@ fn evidence(stored: &Path, picture: &Values) -> Result<Vec<u8>, String> {
 }
 
 fn bless(entries: &[Entry]) -> Result<Exit, Failure> {
-    let verdicts = each(entries, |entry| {
+    each(entries, |entry| {
         let picture = glint(entry, &Header::of(&entry.scene.path)?)?.png;
         store(&entry.golden, &picture)
     });
-    report(entries, &verdicts)?;
     stopped()?;
     Err(Failure::failed(
         "pictures were blessed: look at them, and commit them with the reason for the change",
@@ -120,7 +118,7 @@ fn bless(entries: &[Entry]) -> Result<Exit, Failure> {
 }
 
 fn reference(entries: &[Entry], args: &GoldenArgs) -> Result<Exit, Failure> {
-    let verdicts = each(entries, |entry| {
+    let failed = each(entries, |entry| {
         let header = Header::of(&entry.scene.path)?;
         if header.min_psnr.is_none() {
             return Ok("none: the scene says that POV-Ray cannot render it".into());
@@ -129,7 +127,6 @@ fn reference(entries: &[Entry], args: &GoldenArgs) -> Result<Exit, Failure> {
         let picture = message(program.map_err(|e| e.message)?.picture(&entry.scene))?.png;
         store(&entry.povray, &picture)
     });
-    let failed = report(entries, &verdicts)?;
     stopped()?;
     if failed == 0 {
         Ok(Exit::Done)
@@ -157,40 +154,17 @@ fn store(path: &Path, png: &[u8]) -> Verdict {
     Ok(format!("written: {} bytes", png.len()))
 }
 
-/// Does the work for all scenes, several at a time.
-fn each(entries: &[Entry], work: impl Fn(&Entry) -> Verdict + Sync) -> Vec<Option<Verdict>> {
-    let next = AtomicUsize::new(0);
-    let claim = || entries.get(next.fetch_add(1, Ordering::Relaxed)).filter(|_| !interrupt::requested());
-    let verdicts = std::thread::scope(|scope| {
-        let worker = || {
-            let mut done = Vec::new();
-            while let Some(entry) = claim() {
-                done.push((entry.name.clone(), work(entry)));
-            }
-            done
+/// Does the work for all scenes and prints one line each; gives the number of bad ones.
+fn each(entries: &[Entry], work: impl Fn(&Entry) -> Verdict + Sync) -> usize {
+    let show = |entry: &Entry, verdict: &Verdict| {
+        let (word, said) = match verdict {
+            Ok(said) => ("ok", said),
+            Err(said) => ("FAILED", said),
         };
-        let workers: Vec<_> = (0..cores()).map(|_| scope.spawn(worker)).collect();
-        workers.into_iter().flat_map(|w| w.join().unwrap_or_default()).collect::<Vec<_>>()
-    });
-    let mut by_name: std::collections::HashMap<_, _> = verdicts.into_iter().collect();
-    entries.iter().map(|e| by_name.remove(&e.name)).collect()
-}
-
-/// Prints one line a scene; gives the number of bad ones.
-fn report(entries: &[Entry], verdicts: &[Option<Verdict>]) -> Result<usize, Failure> {
-    let mut failed = 0;
-    for (entry, verdict) in entries.iter().zip(verdicts) {
-        let line = match verdict {
-            Some(Ok(said)) => format!("ok      {}: {said}\n", entry.name),
-            Some(Err(said)) => {
-                failed += 1;
-                format!("FAILED  {}: {said}\n", entry.name)
-            }
-            None => format!("        {}: not done\n", entry.name),
-        };
-        json::print_text(&line)?;
-    }
-    Ok(failed)
+        // A reader that has gone away does not stop the work.
+        let _ = json::print_text(&format!("{word:<8}{}: {said}\n", entry.name));
+    };
+    in_order(entries, cores(), work, show).iter().filter(|v| v.is_err()).count()
 }
 
 fn stopped() -> Result<(), Failure> {
