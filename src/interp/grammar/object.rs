@@ -162,6 +162,8 @@ fn parameters(word: Keyword) -> Option<Parameters> {
         Keyword::Blob => Parser::blob,
         Keyword::BicubicPatch => Parser::bicubic_patch,
         Keyword::HeightField => Parser::height_field,
+        Keyword::Parametric => Parser::parametric,
+        Keyword::JuliaFractal => Parser::julia_fractal,
         Keyword::Union | Keyword::Composite => Parser::union,
         Keyword::Merge => Parser::merge,
         Keyword::Intersection => Parser::intersection,
