@@ -15,6 +15,11 @@ pub trait VectorFunction: Debug + Send + Sync {
 
     /// Components that the value lacks are 0.
     fn value(&self, arguments: &[f64]) -> [f64; 5];
+
+    /// The map that the function is, if it is an affine one.
+    fn affine(&self) -> Option<&Transform> {
+        None
+    }
 }
 
 /// What a vector-valued function gives.
@@ -44,6 +49,10 @@ impl VectorFunction for Transform {
     fn value(&self, arguments: &[f64]) -> [f64; 5] {
         let p = self.point(Vec3::from_slice(arguments));
         [p.x, p.y, p.z, 0.0, 0.0]
+    }
+
+    fn affine(&self) -> Option<&Transform> {
+        Some(self)
     }
 }
 

@@ -8,6 +8,7 @@
 //! Reference: R. E. Moore, "Interval Analysis", 1966, chapter 3.
 
 use super::number::{Binary, Number, Unary};
+use crate::math::{Aabb, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -16,6 +17,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Interval {
     pub lo: f64,
     pub hi: f64,
+}
+
+/// The box of points with coordinates in these ranges.
+pub(super) fn cube(p: [Interval; 3]) -> Aabb {
+    Aabb { min: Vec3::from_array(p.map(|i| i.lo)), max: Vec3::from_array(p.map(|i| i.hi)) }
 }
 
 /// Relative error that functions of the mathematics library stay well below.

@@ -11,6 +11,7 @@ mod internal;
 mod interval;
 mod number;
 mod program;
+mod slope;
 mod surroundings;
 
 pub use expr::{Expression, Node};
@@ -19,10 +20,11 @@ pub use image::FunctionImage;
 pub use internal::Internal;
 pub use interval::Interval;
 pub use number::{Binary, Number, Unary};
+pub use slope::Slope;
 pub use surroundings::Surroundings;
 
 use crate::color::Color;
-use crate::math::field::Field;
+use crate::math::field::{Enclosure, Field};
 use crate::math::{Aabb, Vec3};
 use compile::{Choices, compile};
 use external::Callee;
@@ -169,6 +171,13 @@ impl Field for Function {
         let sides: [Interval; 3] = std::array::from_fn(|i| Interval::new(b.min[i], b.max[i]));
         let range = self.number(&sides);
         (range != Interval::WHOLE).then_some((range.lo, range.hi))
+    }
+
+    fn enclosure(&self, b: &Aabb) -> Option<Enclosure> {
+        let coordinate = |i| Slope::coordinate(i, Interval::new(b.min[i], b.max[i]));
+        let found = self.number(&[0, 1, 2].map(coordinate));
+        let ends = |i: Interval| (i.lo, i.hi);
+        Some(Enclosure { range: ends(found.value), gradient: found.by.map(ends) })
     }
 }
 

@@ -1,9 +1,9 @@
 use super::external::VectorFunction;
 use super::internal::Internal;
-use super::interval::Interval;
+use super::interval::{Interval, cube};
 use crate::math::field::Field;
-use crate::math::noise::{NoiseGenerator, noise};
-use crate::math::{Aabb, Vec3};
+use crate::math::noise::{NoiseGenerator, enclose, noise};
+use crate::math::{Transform, Vec3};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -266,6 +266,15 @@ impl Number for f64 {
     }
 }
 
+/// A point moved by an affine map.
+pub(super) fn mapped<N: Number>(t: &Transform, p: &[N]) -> [N; 5] {
+    let m = t.forward.matrix3;
+    std::array::from_fn(|i| match i {
+        0..3 => p[0] * m.x_axis[i] + p[1] * m.y_axis[i] + p[2] * m.z_axis[i] + t.forward.translation[i],
+        _ => N::from(0.0),
+    })
+}
+
 impl Number for Interval {
     const RANGES: bool = true;
     const UNKNOWN: Interval = Interval::WHOLE;
@@ -294,19 +303,19 @@ impl Number for Interval {
         function.range_value(arguments)
     }
 
-    fn noise(_p: [Interval; 3], _generator: NoiseGenerator) -> Interval {
-        Interval::new(0.0, 1.0)
+    fn noise(p: [Interval; 3], generator: NoiseGenerator) -> Interval {
+        let (lo, hi) = enclose(&cube(p), generator).0;
+        Interval::new(lo, hi)
     }
 
     fn field(field: &dyn Field, p: [Interval; 3]) -> Interval {
-        let (lo, hi) = (p.map(|i| i.lo), p.map(|i| i.hi));
-        match field.range(&Aabb { min: Vec3::from_array(lo), max: Vec3::from_array(hi) }) {
+        match field.range(&cube(p)) {
             Some((lo, hi)) => Interval::new(lo, hi),
             None => Interval::WHOLE,
         }
     }
 
-    fn vector(_function: &dyn VectorFunction, _arguments: &[Interval], out: &mut [Interval; 5]) {
-        *out = [Interval::WHOLE; 5];
+    fn vector(function: &dyn VectorFunction, arguments: &[Interval], out: &mut [Interval; 5]) {
+        *out = function.affine().map_or([Interval::WHOLE; 5], |t| mapped(t, arguments));
     }
 }

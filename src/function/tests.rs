@@ -318,3 +318,67 @@ fn vectors_are_called_once_for_all_components() {
     assert_eq!(f.call(&[1.0, 1.0, 1.0]), FunctionValue::Float(8.0));
     assert_eq!(move_.call(&[1.0, 1.0, 1.0]), FunctionValue::Vector(3, [2.0, 3.0, 4.0, 0.0, 0.0]));
 }
+
+/// Checks a function's slopes in a box against differences between points of it. True if they say anything.
+fn check_slopes(f: &Function, sides: &[Interval], fixed: &[f64], dice: &mut Dice) -> bool {
+    let mut arguments: Vec<Slope> = sides.iter().enumerate().map(|(i, s)| Slope::coordinate(i, *s)).collect();
+    arguments.extend(fixed.iter().map(|&v| Slope::from(v)));
+    let found: Slope = f.number(&arguments);
+    for _ in 0..20 {
+        let axis = dice.below(3) as usize;
+        let part = |dice: &mut Dice| f64::from(dice.below(1001)) * 0.001;
+        let mut p: Vec<f64> = sides.iter().map(|s| s.lo + (s.hi - s.lo) * part(dice)).collect();
+        p.extend(fixed);
+        let mut q = p.clone();
+        q[axis] = sides[axis].lo + (sides[axis].hi - sides[axis].lo) * part(dice);
+        let (a, b, slope): (f64, f64, _) = (f.number(&p), f.number(&q), found.by[axis]);
+        assert!(found.value == Interval::WHOLE || found.value.contains(a), "{a} outside {found:?}");
+        let length = q[axis] - p[axis];
+        if length.abs() < 1e-3 || !a.is_finite() || slope == Interval::WHOLE {
+            continue;
+        }
+        let (steep, noise) = ((b - a) / length, 1e-7 * (1.0 + a.abs().max(b.abs())));
+        assert!(
+            slope.lo - noise <= steep && steep <= slope.hi + noise,
+            "{steep} outside {slope:?} at {p:?} of {f:?}"
+        );
+    }
+    found.by.iter().any(|s| *s != Interval::WHOLE)
+}
+
+#[test]
+fn slopes_enclose_differences() {
+    let mut dice = Dice(Lcg::new(10));
+    let mut useful = 0;
+    for round in 0..1500 {
+        let mut e = Expression::default();
+        let root = grow(&mut e, &mut dice, 2 + round % 6, &mut Vec::new());
+        let f = Function::new(e.clone(), root, 3).unwrap();
+        let center: [f64; 3] = std::array::from_fn(|_| dice.number());
+        let radius = [0.01, 0.3, 1.0][round as usize % 3];
+        let sides = center.map(|c| Interval::new(c - radius, c + radius));
+        useful += u32::from(check_slopes(&f, &sides, &[], &mut dice));
+    }
+    assert!(useful > 700, "only {useful} slopes say anything");
+}
+
+#[test]
+fn slopes_of_internal_functions_enclose_differences() {
+    let mut dice = Dice(Lcg::new(11));
+    let surroundings = Arc::new(Surroundings::default());
+    let text = include_str!("../../tests/data/internal-functions-oracle.csv");
+    let mut useful = std::collections::BTreeMap::new();
+    for line in text.lines().filter(|l| !l.starts_with('#')) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let arguments: Vec<f64> = fields[2].split(' ').map(|a| a.parse().unwrap()).collect();
+        let f = Function::from_internal(Internal::new(fields[0].parse().unwrap(), &surroundings).unwrap());
+        for radius in [1e-3, 0.05, 0.5] {
+            let sides: Vec<Interval> =
+                arguments[..3].iter().map(|&c| Interval::new(c - radius, c + radius)).collect();
+            let said = check_slopes(&f, &sides, &arguments[3..], &mut dice);
+            *useful.entry(fields[1].to_owned()).or_insert(false) |= said;
+        }
+    }
+    let silent: Vec<_> = useful.iter().filter(|u| !u.1).collect();
+    assert!(silent.is_empty(), "{silent:?}");
+}

@@ -12,6 +12,20 @@ pub trait Field: Debug + Send + Sync {
     fn range(&self, _b: &Aabb) -> Option<(f64, f64)> {
         None
     }
+
+    /// What is known of values and derivatives inside a box.
+    fn enclosure(&self, b: &Aabb) -> Option<Enclosure> {
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        self.range(b).map(|range| Enclosure { range, gradient: [all; 3] })
+    }
+}
+
+/// What is known of a field inside a box: two numbers between which its values lie, and two between which
+/// each of its derivatives lies. Infinite ones say nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    pub range: (f64, f64),
+    pub gradient: [(f64, f64); 3],
 }
 
 /// A part of space.

@@ -10,6 +10,7 @@ mod winding;
 
 use super::interval::Interval;
 use super::number::Number;
+use super::slope::Slope;
 use super::surroundings::Surroundings;
 use crate::math::noise::NoiseGenerator;
 use std::sync::Arc;
@@ -31,6 +32,7 @@ struct Row {
     parameters: usize,
     number_formula: fn(&Arguments<f64>) -> f64,
     range_formula: fn(&Arguments<Interval>) -> Interval,
+    slope_formula: fn(&Arguments<Slope>) -> Slope,
 }
 
 /// A table's lines: number, name in `functions.inc` without its `f_`, parameters besides x, y, z.
@@ -42,6 +44,7 @@ macro_rules! rows {
             parameters: $parameters,
             number_formula: $name::<f64>,
             range_formula: $name::<super::Interval>,
+            slope_formula: $name::<super::Slope>,
         }),*];
     };
 }
@@ -93,6 +96,10 @@ impl Internal {
     #[inline]
     pub(super) fn range_value(&self, arguments: &[Interval]) -> Interval {
         (self.row.range_formula)(&self.arguments(arguments))
+    }
+
+    pub(super) fn slope_value(&self, arguments: &[Slope]) -> Slope {
+        (self.row.slope_formula)(&self.arguments(arguments))
     }
 
     #[inline]

@@ -41,11 +41,26 @@ fn shuffled(random: &mut Lcg) -> [u16; ENTRIES] {
     std::array::from_fn(|i| table[i])
 }
 
+/// Keeps the lattice away from the origin. It costs some digits of the coordinate, which is part of the
+/// noise's definition.
+pub(super) const SHIFT: f64 = 10_000_000.023157213;
+
+/// The linear forms at the corners of the cell around a point: no offset, and a gradient. Bit 0 of the index
+/// goes with z, bit 1 with y, bit 2 with x.
+pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
+    let tables: &Tables = &TABLES;
+    let [bx, by, bz] = p.to_array().map(|v| split(v + SHIFT).0);
+    let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);
+    std::array::from_fn(|corner| {
+        let [dx, dy, dz] = [2, 1, 0].map(|bit| (corner as u32 >> bit) & 1);
+        let column = index(index(bx.wrapping_add(dx)).wrapping_add((by & MASK) + dy));
+        let [x, y, z] = tables.gradients[(column.wrapping_add((bz & MASK) + dz) & MASK) as usize];
+        [0.0, x, y, z]
+    })
+}
+
 /// About -1 ..= 1.
 pub(super) fn sum(p: Vec3) -> f64 {
-    // Keeps the lattice away from the origin. It costs some digits of the coordinate, which is part of the
-    // noise's definition.
-    const SHIFT: f64 = 10_000_000.023157213;
     let tables: &Tables = &TABLES;
     let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x + SHIFT), split(p.y + SHIFT), split(p.z + SHIFT));
     let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);

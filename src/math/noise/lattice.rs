@@ -111,6 +111,15 @@ pub(super) fn sum(p: Vec3) -> f64 {
     Cell::at(p).sum::<1>()[0]
 }
 
+/// The linear forms at the corners of the cell around a point: offset and gradient. Bit 0 of the index goes
+/// with z, bit 1 with y, bit 2 with x.
+pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
+    Cell::at(p).places.map(|place| {
+        let [offset, x, y, z] = std::array::from_fn(|i| COEFFICIENTS[usize::from(place) + i]);
+        [0.5 * offset, x, y, z]
+    })
+}
+
 /// Three components of noise at once, each about -1 ..= 1. The same for all generators.
 #[inline]
 pub fn vector_noise(p: Vec3) -> Vec3 {

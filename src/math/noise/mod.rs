@@ -6,10 +6,12 @@
 //! Reference: K. Perlin, "An Image Synthesizer", SIGGRAPH 1985.
 
 mod coefficients;
+mod enclosure;
 mod gradient;
 mod lattice;
 mod turbulence;
 
+pub use enclosure::enclose;
 pub use lattice::{hash1, hash2, hash3, vector_noise};
 pub use turbulence::Turbulence;
 
