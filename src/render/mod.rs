@@ -27,6 +27,9 @@ pub trait Sampler {
     /// The colour at a picture position; pixel (i, j) has its centre at (i, j).
     fn sample(&mut self, x: f64, y: f64) -> Pixel;
 
+    /// A block of that number begins: what is kept from sample to sample depends on it alone.
+    fn begin_block(&mut self, _serial: usize) {}
+
     /// Rays followed so far, for progress.
     fn rays(&self) -> u64;
 }

@@ -11,6 +11,10 @@ impl Sampler for Tracer<'_> {
         self.pixel(x + 0.5, y + 0.5)
     }
 
+    fn begin_block(&mut self, serial: usize) {
+        Tracer::begin_block(self, serial);
+    }
+
     fn rays(&self) -> u64 {
         let c = self.counters();
         c.camera_rays + c.shadow_rays + c.reflected_rays + c.refracted_rays

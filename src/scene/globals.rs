@@ -15,6 +15,8 @@ pub struct Globals {
     /// Effective version at the end of the text, times 100: 362 where none was declared.
     pub effective_version: u32,
     pub radiosity: Option<RadiositySettings>,
+    /// Radiosity importance of objects that say nothing about it.
+    pub importance: f32,
     pub photons: Option<PhotonSettings>,
     pub subsurface: Option<SubsurfaceSettings>,
 }
@@ -32,6 +34,7 @@ impl Default for Globals {
             gamma: Gamma::Unmanaged,
             effective_version: 362,
             radiosity: None,
+            importance: 1.0,
             photons: None,
             subsurface: None,
         }

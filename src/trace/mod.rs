@@ -9,6 +9,7 @@ mod layers;
 mod media;
 mod media_sampling;
 mod path;
+mod radiosity;
 mod rainbow;
 mod random;
 mod reflect;
@@ -19,6 +20,7 @@ mod sky;
 mod spectrum;
 mod tracer;
 
+pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile};
 pub use tracer::Tracer;
 
 pub use crate::picture::Pixel;

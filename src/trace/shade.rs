@@ -4,6 +4,7 @@
 use super::direct::Look;
 use super::layers::{self, Placed};
 use super::path::{Departure, Interiors, Path, Radiance};
+use super::radiosity::Query;
 use super::refract::{self, Passage};
 use super::tracer::Tracer;
 use super::{iridescence, reflect};
@@ -13,7 +14,7 @@ use crate::math::{Ray, Vec3};
 use crate::pattern::{Context, Incidence};
 use crate::world::{Hit, RayClass, Surface, World};
 use smallvec::SmallVec;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 /// Normals whose components differ by less count as one.
 const SAME_NORMAL: f64 = 1e-10;
@@ -45,6 +46,8 @@ pub(super) struct Site<'a> {
     /// Where this hit's shadowed light colours are kept, if several layers ask for them.
     pub lit: Option<usize>,
     incidence: OnceCell<Incidence>,
+    /// Diffuse light on the front and on the back, once asked for.
+    diffuse: [Cell<Option<Rgb>>; 2],
 }
 
 /// What the layers leave to be traced.
@@ -81,7 +84,16 @@ impl<'a> Site<'a> {
     pub fn new(ray: &'a Ray, hit: &'a Hit, path: &'a Path) -> Self {
         let facing = if hit.normal.dot(ray.dir) > 0.0 { -hit.normal } else { hit.normal };
         let departure = Departure::from_hit(hit);
-        Self { ray, hit, path, facing, departure, lit: None, incidence: OnceCell::new() }
+        Self {
+            ray,
+            hit,
+            path,
+            facing,
+            departure,
+            lit: None,
+            incidence: OnceCell::new(),
+            diffuse: Default::default(),
+        }
     }
 
     /// Whether the side is seen that the normal points away from.
@@ -169,7 +181,7 @@ impl<'w> Tracer<'w> {
             }
             let opacity = self.opacity(c);
             let look = Look { finish, color: c.rgb, opacity, normal };
-            plan.rgb += share * filter * self.own_light(site, &look);
+            plan.rgb += share * filter * self.own_light(site, &look, filter);
             if color.is_some() {
                 found = true;
                 filter *= c.transmittance();
@@ -230,11 +242,50 @@ impl<'w> Tracer<'w> {
         1.0 - filter - c.transmit
     }
 
-    /// Light that the layer itself sends to the viewer.
-    fn own_light(&mut self, site: &Site, look: &Look) -> Rgb {
+    /// Light that the layer itself sends to the viewer, through what `filter` leaves of it.
+    fn own_light(&mut self, site: &Site, look: &Look, filter: Rgb) -> Rgb {
         let finish = look.finish;
-        let ambient = finish.ambient * self.world.scene.globals.ambient_light + finish.emission;
-        look.color * ambient * look.opacity + self.direct(site, look)
+        let mut glow = finish.emission;
+        let mut diffuse = Rgb::ZERO;
+        match &self.radiosity {
+            Some(radiosity) => {
+                let dry = radiosity.is_dry();
+                if !self.modern {
+                    glow += finish.ambient * self.world.scene.globals.ambient_light;
+                }
+                diffuse = self.diffuse(site, look, filter);
+                if dry {
+                    return Rgb::ZERO;
+                }
+            }
+            None => glow += finish.ambient * self.world.scene.globals.ambient_light,
+        }
+        look.color * (glow * look.opacity + diffuse) + self.direct(site, look)
+    }
+
+    /// Diffuse light from other surfaces, on the front and through from the back.
+    fn diffuse(&mut self, site: &Site, look: &Look, filter: Rgb) -> Rgb {
+        let bumpy = self.world.scene.globals.radiosity.as_ref().is_some_and(|r| r.normal);
+        let normal = if bumpy { look.normal } else { site.facing };
+        let sides = [(look.finish.raw_diffuse, 1.0), (look.finish.raw_diffuse_back, -1.0)];
+        let mut sum = Rgb::ZERO;
+        for (kept, (share, sign)) in site.diffuse.iter().zip(sides) {
+            let part = grey(filter * look.color) * look.opacity * share;
+            if share == 0.0 || part <= self.adc_bailout {
+                continue;
+            }
+            if kept.get().is_none() {
+                let query = Query {
+                    departure: &site.departure,
+                    normal: sign * normal,
+                    facing: sign * site.facing,
+                    weight: site.path.weight * part,
+                };
+                kept.set(Some(self.diffuse_light(&query).unwrap_or(Rgb::ZERO)));
+            }
+            sum += kept.get().unwrap_or(Rgb::ZERO) * (look.opacity * share);
+        }
+        sum
     }
 
     /// Light from behind the surface. Straight on it is left to the caller's loop, for all stacks at once.

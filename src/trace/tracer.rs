@@ -1,5 +1,6 @@
 use super::media::Medium;
 use super::path::{Interiors, Path, Radiance, Veil};
+use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::Onward;
 use super::sky::{self, Leaving};
@@ -25,10 +26,11 @@ pub struct Tracer<'w> {
     pub(super) random: Random,
     pub(super) needs: Needs,
     pub(super) adc_bailout: f32,
-    max_level: u32,
+    pub(super) max_level: u32,
     /// Rules since version 3.7.
     pub(super) modern: bool,
     pub(super) context: Context<'static>,
+    pub(super) radiosity: Option<Radiosity>,
     lens: Option<Arc<Lens>>,
     /// What the camera stands in, once found; for cameras with one viewpoint.
     camera_inside: Option<Interiors>,
@@ -90,6 +92,7 @@ impl<'w> Tracer<'w> {
             max_level: settings.max_trace_level.unwrap_or(globals.max_trace_level).clamp(1, 256),
             modern: globals.effective_version >= 370,
             context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
+            radiosity: None,
             lens: None,
             camera_inside: None,
             media: Vec::new(),
@@ -103,7 +106,24 @@ impl<'w> Tracer<'w> {
         if tracer.needs.media || tracer.needs.atmosphere {
             tracer.list_media();
         }
+        tracer.radiosity = Lighting::unknown(world, settings).map(|l| Radiosity::new(world, l, false));
         tracer
+    }
+
+    /// A tracer that makes use of what a [`Pretrace`](super::Pretrace) found.
+    pub fn lit(world: &'w World, settings: &Settings, lighting: Option<&Lighting>) -> Self {
+        let mut tracer = Self::new(world, settings);
+        if let (Some(_), Some(lighting)) = (&tracer.radiosity, lighting) {
+            tracer.radiosity = Some(Radiosity::new(world, lighting.clone(), false));
+        }
+        tracer
+    }
+
+    /// Called before each block of the picture: what is kept from pixel to pixel depends on it alone.
+    pub fn begin_block(&mut self, serial: usize) {
+        if let Some(radiosity) = &mut self.radiosity {
+            radiosity.begin_block(serial);
+        }
     }
 
     fn list_media(&mut self) {
@@ -162,8 +182,11 @@ impl<'w> Tracer<'w> {
         Pixel { rgb: seen.rgb, transmit: seen.transmit }
     }
 
-    fn camera_ray(&mut self, ray: Ray) -> Radiance {
+    pub(super) fn camera_ray(&mut self, ray: Ray) -> Radiance {
         self.counters.camera_rays += 1;
+        if let Some(radiosity) = &mut self.radiosity {
+            radiosity.begin_ray();
+        }
         let inside = self.camera_interiors(&ray);
         let path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
         self.trace(ray, path)
@@ -183,9 +206,18 @@ impl<'w> Tracer<'w> {
         self.counters
     }
 
-    /// The colour that `ray` brings back. Surfaces that are passed without bending are followed in a loop:
-    /// they cost no level.
-    pub(super) fn trace(&mut self, mut ray: Ray, mut path: Path) -> Radiance {
+    /// The colour that `ray` brings back.
+    pub(super) fn trace(&mut self, ray: Ray, path: Path) -> Radiance {
+        if path.level >= self.max_level || path.weight < self.adc_bailout {
+            return Radiance::BLACK;
+        }
+        let hit = self.world.nearest(&ray, Range::FORWARD, path.class);
+        self.trace_from(ray, path, hit)
+    }
+
+    /// The same, for a ray whose hit is known. Surfaces that are passed without bending are followed in a
+    /// loop: they cost no level.
+    pub(super) fn trace_from(&mut self, mut ray: Ray, mut path: Path, mut next: Option<Hit>) -> Radiance {
         let mut front = Veil::NONE;
         for passed in 0..MAX_PASSED {
             if path.level >= self.max_level || path.weight < self.adc_bailout {
@@ -193,8 +225,10 @@ impl<'w> Tracer<'w> {
             }
             if passed == 0 {
                 path.level += 1;
+            } else {
+                next = self.world.nearest(&ray, Range::FORWARD, path.class);
             }
-            let Some(hit) = self.world.nearest(&ray, Range::FORWARD, path.class) else {
+            let Some(hit) = next.take() else {
                 return front.over(self.leave(&ray, &path));
             };
             let shaded = self.shade(&ray, &hit, &path);
@@ -218,7 +252,7 @@ impl<'w> Tracer<'w> {
         };
         let scene = &self.world.scene;
         let sky = sky::sky(scene.background, scene.sky_sphere.as_ref(), ray.dir, leaving, &self.context);
-        if self.needs.atmosphere && self.is_hollow(&path.inside) {
+        if self.needs.atmosphere && self.sees_media() && self.is_hollow(&path.inside) {
             self.atmosphere(ray, FAR, None, path).over(sky)
         } else {
             sky
@@ -227,7 +261,8 @@ impl<'w> Tracer<'w> {
 
     /// Interior media, then rainbows, atmospheric media and fog, between the ray's origin and its hit.
     fn segment_veil(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Veil {
-        if !(self.needs.media || self.needs.atmosphere) || !self.is_hollow(&path.inside) {
+        let filled = (self.needs.media || self.needs.atmosphere) && self.sees_media();
+        if !filled || !self.is_hollow(&path.inside) {
             return Veil::NONE;
         }
         let mut veil = Veil::NONE;
@@ -253,6 +288,11 @@ impl<'w> Tracer<'w> {
             veil = veil.under(super::fog::veil(&scene.fogs, ray, length, self.context.noise));
         }
         veil
+    }
+
+    /// Whether the ray being traced sees media and fog.
+    fn sees_media(&self) -> bool {
+        self.radiosity.as_ref().is_none_or(Radiosity::sees_media)
     }
 
     pub(super) fn is_hollow(&self, inside: &[InteriorId]) -> bool {

@@ -54,6 +54,7 @@ struct Inherited {
     cutaway: u32,
     group_lights: (u32, u32),
     ignores_global_lights: bool,
+    importance: Option<f32>,
     /// Crossings of others survive where this contains them, so bounds are of the inside.
     in_intersection: bool,
     /// Inside a light group: its lights have been gathered already.
@@ -73,6 +74,7 @@ impl Inherited {
             cutaway: NONE,
             group_lights: (0, 0),
             ignores_global_lights: false,
+            importance: None,
             in_intersection: false,
             in_group: false,
         }
@@ -187,6 +189,7 @@ impl Flattened {
             group_lights: inner.group_lights,
             uv_mapping: inner.uv_mapping,
             opaque: opaque_of(surface) && opaque_of(interior_surface) && opaque_parts,
+            importance: inner.importance.map(f32::to_bits),
         };
         let shading = self.shading(shading);
         let inverted = inner.inverted && shape.is_solid();
@@ -277,6 +280,7 @@ impl Flattened {
             flags: merged(&object.flags, &outer.flags),
             uv_mapping,
             inverted: outer.inverted != object.flags.inverse,
+            importance: object.importance.or(outer.importance),
             ..outer.clone()
         };
         if let Body::Csg { op: CsgOp::LightGroup { global_lights }, children } = &object.body {

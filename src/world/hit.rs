@@ -66,6 +66,8 @@ pub(super) struct Shading {
     pub group_lights: (u32, u32),
     pub uv_mapping: bool,
     pub opaque: bool,
+    /// Bits of the radiosity importance, if the object says something about it.
+    pub importance: Option<u32>,
 }
 
 /// A texture as it sits on one object: layers bottom first, each with its own placement.

@@ -165,6 +165,12 @@ impl World {
         self.interiors[id.0 as usize].hollow
     }
 
+    /// Share of radiosity rays that look at what was hit in full.
+    pub fn importance(&self, hit: &Hit) -> f32 {
+        let shading = self.geometry.leaves[hit.item as usize].shading;
+        self.shadings[shading as usize].importance.map_or(self.scene.globals.importance, f32::from_bits)
+    }
+
     /// The surface parameters of a hit: the shape's own, or world x and y.
     pub fn uv(&self, hit: &Hit) -> Vec2 {
         let shape = &self.geometry.leaves[hit.item as usize].shape;

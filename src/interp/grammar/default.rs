@@ -14,6 +14,9 @@ impl Parser {
             }
             if token.tok == crate::syntax::Tok::Word(Keyword::Camera) {
                 self.scene.default_camera = self.camera_statement()?;
+                if !self.camera_given {
+                    self.scene.scene.camera = self.scene.default_camera.clone();
+                }
             } else if self.accept(Keyword::Radiosity)? {
                 self.default_importance()?;
             } else {
@@ -25,11 +28,9 @@ impl Parser {
 
     /// `{ importance f }`.
     fn default_importance(&mut self) -> Result<()> {
-        let span = self.last_span();
         self.expect_punct(Punct::LeftBrace)?;
         while self.accept(Keyword::Importance)? {
-            self.float()?;
-            self.unsupported(span, "radiosity importance");
+            self.scene.scene.globals.importance = self.float()? as f32;
         }
         self.expect_punct(Punct::RightBrace).map(|_| ())
     }
