@@ -86,6 +86,7 @@ impl SceneBuilder {
             default_layer: Layer::default(),
             default_camera: camera,
             gamma_given: false,
+            recent_texture: None,
             noise_given: false,
             surroundings: Arc::default(),
         }

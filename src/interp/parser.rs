@@ -7,7 +7,7 @@ use super::version::Version;
 use super::{Result, Value};
 use crate::camera::Camera;
 use crate::function::Surroundings;
-use crate::material::Layer;
+use crate::material::{Layer, Texture};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, FileId, Files, Span};
 use crate::syntax::{Interner, Keyword, Punct, Symbol, Tok, Token};
@@ -63,6 +63,8 @@ pub(crate) struct SceneBuilder {
     pub default_camera: Camera,
     /// Whether `assumed_gamma` was given.
     pub gamma_given: bool,
+    /// The texture read last: one written the same way from the same identifier shares it.
+    pub recent_texture: Option<Arc<Texture>>,
     /// Whether `noise_generator` was given.
     pub noise_given: bool,
     /// What functions ask of the scene.

@@ -236,7 +236,7 @@ impl Parser {
     fn look_at(&mut self, camera: &mut Camera, target: Vec3, span: Span) -> Result<()> {
         let mirrored = camera.up.cross(camera.direction).dot(camera.right) <= 0.0;
         let towards = target - camera.location;
-        if towards.length_squared() < TINY {
+        if towards.length_squared() == 0.0 {
             let text = "the camera looks at its own location";
             return Err(Box::new(Diagnostic::error(span, text)));
         }

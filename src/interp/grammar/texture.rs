@@ -40,8 +40,21 @@ impl Parser {
                 new.iter_mut().for_each(|layer| Arc::make_mut(&mut layer.pigment).unfilter());
             }
         }
-        layers.push(Attached::new(Arc::new(texture)));
+        layers.push(Attached::new(self.shared_texture(texture)));
         Ok(())
+    }
+
+    /// The texture itself, or the one read before it if they consist of the same parts: a scene that puts
+    /// one texture on a thousand objects keeps it once.
+    fn shared_texture(&mut self, texture: Texture) -> Arc<Texture> {
+        if let Some(recent) = &self.scene.recent_texture
+            && same_parts(recent, &texture)
+        {
+            return recent.clone();
+        }
+        let texture = Arc::new(texture);
+        self.scene.recent_texture = Some(texture.clone());
+        texture
     }
 
     /// A texture with its keyword (`texture` or `interior_texture`).
@@ -262,4 +275,18 @@ pub(super) fn joined(attached: &[Attached<Texture>]) -> Texture {
         }
     }
     Texture::Layers(layers)
+}
+
+/// Whether both are stacks of the very same pigments, normals and finishes.
+fn same_parts(a: &Texture, b: &Texture) -> bool {
+    let (Texture::Layers(a), Texture::Layers(b)) = (a, b) else { return false };
+    let same_normal = |a: &Layer, b: &Layer| match (&a.normal, &b.normal) {
+        (None, None) => true,
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        _ => false,
+    };
+    a.len() == b.len()
+        && a.iter().zip(b).all(|(a, b)| {
+            Arc::ptr_eq(&a.pigment, &b.pigment) && Arc::ptr_eq(&a.finish, &b.finish) && same_normal(a, b)
+        })
 }

@@ -207,9 +207,11 @@ impl ImageMap {
         }
     }
 
-    /// Whether no point of the picture lets light through. Around a picture that is there `once` the eye sees
-    /// through, but the shadow is that of the whole object, as in the reference.
+    /// Whether no point lets light through.
     pub fn is_opaque(&self) -> bool {
+        if self.placement.once {
+            return false;
+        }
         match self.palette.is_empty() {
             true => self.filter == 0.0 && self.transmit == 0.0 && self.image.is_opaque(),
             false => self.palette.iter().all(|c| !c.is_transparent()),
