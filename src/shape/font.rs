@@ -48,8 +48,8 @@ pub fn letters(font: &[u8], text: &[u16], offset: Vec2, charset: Charset) -> Opt
             }
             Some(before) => {
                 let kern = kerning(&face, before, id, em);
-                let place = Vec2::new(pen.x + bearing - least + kern, pen.y);
-                pen.x += advance + kern;
+                let place = Vec2::new(pen.x + bearing - least, pen.y) + kern;
+                pen.x += advance + kern.x;
                 place
             }
         };
@@ -119,19 +119,55 @@ fn is_composite(face: &Face, id: GlyphId) -> bool {
     start.and_then(|s| glyphs.get(s)).is_some_and(|b| b & 0x80 != 0)
 }
 
-/// The `kern` table's horizontal pairs, if its first subtable is horizontal; at least -1 em.
-fn kerning(face: &Face, left: GlyphId, right: GlyphId, em: f64) -> f64 {
-    let Some(kern) = face.tables().kern else { return 0.0 };
-    let mut sum = 0.0;
-    for (i, table) in kern.subtables.into_iter().enumerate() {
-        if i == 0 && !table.horizontal {
-            return 0.0;
-        }
-        if table.horizontal && !table.variable && !table.has_cross_stream {
-            sum += f64::from(table.glyphs_kerning(left, right).unwrap_or(0)) * em;
-        }
+/// What moves the right one of a pair of letters, from the `kern` table: along x, or along y where the first
+/// subtable says "cross-stream". Used if that subtable is horizontal. At least -1 em.
+///
+/// Pairs are read in the order of the file up to the first with a later left letter: fonts that are not
+/// sorted lose pairs, as they always have.
+fn kerning(face: &Face, left: GlyphId, right: GlyphId, em: f64) -> Vec2 {
+    let Some(table) = face.raw_face().table(ttf_parser::Tag::from_bytes(b"kern")) else { return Vec2::ZERO };
+    let word = |at: usize| table.get(at..at + 2).map(|b| u16::from_be_bytes([b[0], b[1]]));
+    if word(0) != Some(0) {
+        return Vec2::ZERO;
     }
-    sum.max(-1.0)
+    let (mut sum, mut at, mut first) = (0.0, 4, None);
+    for _ in 0..word(2).unwrap_or(0) {
+        let (Some(length), Some(coverage)) = (word(at + 2), word(at + 4)) else { break };
+        let rules = *first.get_or_insert(coverage);
+        if rules & HORIZONTAL == 0 {
+            return Vec2::ZERO;
+        }
+        if coverage >> 8 == 0
+            && let Some(value) = pair(&word, at + 6, left, right)
+        {
+            let value = f64::from(value) * em;
+            sum = if rules & OVERRIDE != 0 {
+                value
+            } else if rules & MINIMUM != 0 {
+                value.min(sum)
+            } else {
+                sum + value
+            };
+        }
+        at += usize::from(length).max(6);
+    }
+    let sum = f64::max(sum, -1.0);
+    if first.unwrap_or(0) & CROSS_STREAM != 0 { Vec2::new(0.0, sum) } else { Vec2::new(sum, 0.0) }
+}
+
+/// Bits of a kerning subtable's coverage.
+const HORIZONTAL: u16 = 1;
+const MINIMUM: u16 = 2;
+const CROSS_STREAM: u16 = 4;
+const OVERRIDE: u16 = 8;
+
+/// The value of a pair in the ordered list that begins at `at`.
+fn pair(word: &impl Fn(usize) -> Option<u16>, at: usize, left: GlyphId, right: GlyphId) -> Option<i16> {
+    let count = usize::from(word(at)?);
+    let entries = (0..count).map(|i| at + 8 + 6 * i);
+    let mut entries = entries.map_while(|e| Some((word(e)?, word(e + 2)?, word(e + 4)?)));
+    let found = entries.find(|&(l, r, _)| l > left.0 || (l == left.0 && r == right.0))?;
+    (found.0 == left.0).then_some(found.2 as i16)
 }
 
 /// Collects a glyph's contours.
