@@ -2,7 +2,7 @@
 //!
 //! A normal is taken into the pattern's space, perturbed at the warped point, and brought back. In between it
 //! is kept at unit length, so that bumps keep their slope when the pattern is scaled; `no_bump_scale` leaves
-//! lengths alone until the end.
+//! lengths alone until the end, in everything nested inside too.
 
 use crate::math::{Transform, Vec3};
 use crate::pattern::image::ImageMap;
@@ -88,16 +88,24 @@ impl Normal {
     /// Perturbs `n` at `p`, both in the space that the normal statement is attached in. `n` is turned
     /// towards the ray and need not have unit length; the result has.
     pub fn perturb(&self, n: Vec3, p: Vec3, context: &Context) -> Vec3 {
-        let frame = Frame { chain: &self.signal.chain, scale_bumps: self.scale_bumps };
-        let perturbed = match &self.kind {
+        let perturbed = self.perturb_within(n, p, true, context);
+        perturbed.try_normalize().unwrap_or_else(|| n.normalize_or_zero())
+    }
+
+    /// The same inside something whose bumps keep their slope, or do not. The result has unit length only
+    /// if bumps keep their slope here too.
+    pub(super) fn perturb_within(&self, n: Vec3, p: Vec3, scale_bumps: bool, context: &Context) -> Vec3 {
+        let scale_bumps = scale_bumps && self.scale_bumps;
+        let frame = Frame { chain: &self.signal.chain, scale_bumps };
+        match &self.kind {
             NormalKind::Flat => n,
             NormalKind::Uv(inner) => match context.hit {
-                Some(hit) => inner.perturb(n, hit.uv.extend(0.0), context),
+                Some(hit) => inner.perturb_within(n, hit.uv.extend(0.0), scale_bumps, context),
                 None => n,
             },
             NormalKind::Average => {
                 let m = frame.enter(n);
-                frame.leave(self.average(m, self.signal.warp_alone(p), context))
+                frame.leave(self.average(m, self.signal.warp_alone(p), scale_bumps, context))
             }
             NormalKind::Image(map) => {
                 let m = frame.enter(n);
@@ -105,25 +113,25 @@ impl Normal {
             }
             NormalKind::Patterned => {
                 let m = frame.enter(n);
-                frame.leave(self.patterned(m, self.signal.warp(p), context))
+                frame.leave(self.patterned(m, self.signal.warp(p), scale_bumps, context))
             }
-        };
-        perturbed.try_normalize().unwrap_or_else(|| n.normalize_or_zero())
+        }
     }
 
-    fn average(&self, m: Vec3, q: Vec3, context: &Context) -> Vec3 {
+    fn average(&self, m: Vec3, q: Vec3, scale_bumps: bool, context: &Context) -> Vec3 {
         let Some(map) = &self.map else { return m };
-        let add = |sum, (weight, item): (f64, &Arc<Normal>)| sum + weight * item.perturb(m, q, context);
+        let add = |sum, (weight, item): (f64, &Arc<Normal>)| {
+            sum + weight * item.perturb_within(m, q, scale_bumps, context)
+        };
         map.iter().fold(Vec3::ZERO, add) / map.total_weight()
     }
 
-    fn patterned(&self, m: Vec3, q: Vec3, context: &Context) -> Vec3 {
+    fn patterned(&self, m: Vec3, q: Vec3, scale_bumps: bool, context: &Context) -> Vec3 {
         if let Some(map) = &self.map {
+            let perturbed = |item: &Normal| item.perturb_within(m, q, scale_bumps, context);
             return match map.at(self.signal.value(q, context)) {
-                Blended::One(item) => item.perturb(m, q, context),
-                Blended::Two(t, low, high) => {
-                    (1.0 - t) * low.perturb(m, q, context) + t * high.perturb(m, q, context)
-                }
+                Blended::One(item) => perturbed(item),
+                Blended::Two(t, low, high) => (1.0 - t) * perturbed(low) + t * perturbed(high),
             };
         }
         if let Some(perturbed) = self.signal.perturb(m, self.amount, q, context) {

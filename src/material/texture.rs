@@ -57,12 +57,20 @@ pub struct TextureSample<'a> {
 
 impl TextureSample<'_> {
     /// The normal of one of the layers. `n` is in texture space, turned towards the ray; the result has unit
-    /// length.
+    /// length. (POV-Ray leaves it at any length after scaled textures with `no_bump_scale`, which makes them
+    /// shine too brightly.)
     pub fn perturb(&self, layer: &Layer, n: Vec3, context: &Context) -> Vec3 {
         let Some(normal) = &layer.normal else { return n.normalize_or_zero() };
-        let inward = self.frames.iter().fold(n, |n, texture| texture.frame().enter(n));
-        let perturbed = normal.perturb(inward, self.point, context);
-        let outward = self.frames.iter().rev().fold(perturbed, |n, texture| texture.frame().leave(n));
+        let (mut inward, mut scale_bumps) = (n, true);
+        for texture in &self.frames {
+            scale_bumps &= texture.scale_bumps;
+            inward = texture.frame(scale_bumps).enter(inward);
+        }
+        let mut outward = normal.perturb_within(inward, self.point, scale_bumps, context);
+        for (i, texture) in self.frames.iter().enumerate().rev() {
+            let scale_bumps = self.frames[..=i].iter().all(|t| t.scale_bumps);
+            outward = texture.frame(scale_bumps).leave(outward);
+        }
         outward.normalize_or_zero()
     }
 }
@@ -138,8 +146,8 @@ impl PatternedTexture {
         Self { kind, signal, map, scale_bumps: true, opaque, depth }
     }
 
-    fn frame(&self) -> Frame<'_> {
-        Frame { chain: &self.signal.chain, scale_bumps: self.scale_bumps }
+    fn frame(&self, scale_bumps: bool) -> Frame<'_> {
+        Frame { chain: &self.signal.chain, scale_bumps }
     }
 
     /// An index above the number of textures goes around; one that equals it means the last.

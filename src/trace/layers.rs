@@ -22,7 +22,7 @@ impl Placed<'_, '_> {
     /// The unit shading normal, for the unit normal `facing` towards the viewer.
     pub fn normal(&self, facing: Vec3, context: &Context) -> Vec3 {
         let Some(normal) = &self.layer.normal else { return facing };
-        let n = self.to_world.map_or(facing, |t| t.inverse_normal(facing).normalize());
+        let n = self.to_world.map_or(facing, |t| t.inverse_normal(facing));
         let n = match self.sample {
             Some(sample) => sample.perturb(self.layer, n, context),
             None => normal.perturb(n, self.point, context),

@@ -47,7 +47,8 @@ impl Parser {
     }
 
     fn normal_type(&mut self, normal: &mut Normal) -> Result<()> {
-        match self.peek()?.tok {
+        let token = self.peek()?;
+        match token.tok {
             Tok::Word(Keyword::UvMapping) => {
                 self.next()?;
                 let base = normal.clone();
@@ -74,6 +75,7 @@ impl Parser {
                     normal.signal.set_pattern(pattern);
                     if let Some(items) = items {
                         normal.map = self.normal_list(items)?;
+                        self.end_pattern(token)?;
                         if normal.map.is_some() {
                             return Ok(());
                         }

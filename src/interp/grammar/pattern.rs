@@ -8,7 +8,7 @@ use crate::pattern::{
     Wave,
 };
 use crate::source::Diagnostic;
-use crate::syntax::{Keyword, Punct, Tok};
+use crate::syntax::{Keyword, Punct, Tok, Token};
 use crate::world::ObjectQuery;
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ pub(super) enum Place {
 }
 
 impl Parser {
-    /// A pattern with its parameters, if one comes.
+    /// A pattern with its parameters, if one comes. [`Parser::end_pattern`] follows after its list.
     pub(super) fn pattern(&mut self, place: Place) -> Result<Option<Arc<dyn Pattern>>> {
         let token = self.peek()?;
         let Tok::Word(word) = token.tok else { return Ok(None) };
@@ -42,7 +42,19 @@ impl Parser {
             return Err(Box::new(Diagnostic::error(token.span, message)));
         }
         self.next()?;
-        self.pattern_parameters(word).map(Some)
+        let pattern = self.pattern_parameters(word)?;
+        if place == Place::Function {
+            self.end_pattern(token)?;
+        }
+        Ok(Some(pattern))
+    }
+
+    /// The end of a pattern's list. The list of an object stands in the braces with it.
+    pub(super) fn end_pattern(&mut self, keyword: Token) -> Result<()> {
+        if keyword.tok == Tok::Word(Keyword::Object) {
+            self.expect_punct(Punct::RightBrace)?;
+        }
+        Ok(())
     }
 
     fn pattern_parameters(&mut self, word: Keyword) -> Result<Arc<dyn Pattern>> {
@@ -61,7 +73,6 @@ impl Parser {
             Keyword::Object => {
                 self.expect_punct(Punct::LeftBrace)?;
                 let object = self.required_object()?;
-                self.expect_punct(Punct::RightBrace)?;
                 Arc::new(pattern::InsideOut(Arc::new(ObjectQuery::new(&object))))
             }
             Keyword::ImagePattern => Arc::new(self.image_pattern()?),

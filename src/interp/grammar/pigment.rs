@@ -112,6 +112,7 @@ impl Parser {
             _ => match self.pattern(place)? {
                 Some(pattern) => {
                     self.set_pattern(pigment, pattern, place)?;
+                    self.end_pattern(token)?;
                 }
                 None if self.at_expression()? => pigment.kind = PigmentKind::Plain(self.color()?),
                 None => return Ok(false),
@@ -125,19 +126,14 @@ impl Parser {
         pigment.kind = PigmentKind::Patterned;
         let items = pattern.character().items;
         if let Some(items) = items {
-            pigment.map = self.pigment_list(&*pattern, items, place)?;
+            pigment.map = Some(self.pigment_list(&*pattern, items, place)?);
         }
         pigment.signal.set_pattern(pattern);
         Ok(())
     }
 
-    /// Colours or pigments, filled up with default ones; `None` if there are none.
-    fn pigment_list(
-        &mut self,
-        pattern: &dyn Pattern,
-        items: usize,
-        place: Place,
-    ) -> Result<Option<PigmentMap>> {
+    /// Colours or pigments, filled up with default ones.
+    fn pigment_list(&mut self, pattern: &dyn Pattern, items: usize, place: Place) -> Result<PigmentMap> {
         let word = if place == Place::Density { Keyword::Density } else { Keyword::Pigment };
         if self.peek()?.tok == Tok::Word(word) {
             let mut list = Vec::new();
@@ -152,7 +148,7 @@ impl Parser {
             while list.len() < items {
                 list.push((list.len() as f32, Arc::new(self.default_pigment(place))));
             }
-            return Ok(Some(PigmentMap::Pigments(BlendMap::new(list))));
+            return Ok(PigmentMap::Pigments(BlendMap::new(list)));
         }
         let mut colors = pattern.colors();
         let mut read = 0;
@@ -161,7 +157,7 @@ impl Parser {
             read += 1;
             self.comma()?;
         }
-        Ok((read > 0).then(|| PigmentMap::Colors(BlendMap::new(colors))))
+        Ok(PigmentMap::Colors(BlendMap::new(colors)))
     }
 
     pub(super) fn pigment_modifier(&mut self, pigment: &mut Pigment, place: Place) -> Result<bool> {

@@ -184,6 +184,7 @@ impl Parser {
                     let items = pattern.character().items;
                     signal.set_pattern(pattern);
                     let list = items.map(|n| self.texture_list(n)).transpose()?;
+                    self.end_pattern(token)?;
                     (PatternedKind::Blended, list)
                 }
                 None => return Ok(None),
