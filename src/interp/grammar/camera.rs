@@ -235,14 +235,12 @@ impl Parser {
     /// Turns the camera towards `target`, keeping the lengths of its vectors and its handedness.
     fn look_at(&mut self, camera: &mut Camera, target: Vec3, span: Span) -> Result<()> {
         let mirrored = camera.up.cross(camera.direction).dot(camera.right) <= 0.0;
-        let towards = target - camera.location;
-        if towards.length_squared() == 0.0 {
+        let Some(ahead) = (target - camera.location).try_normalize() else {
             let text = "the camera looks at its own location";
             return Err(Box::new(Diagnostic::error(span, text)));
-        }
-        let ahead = towards.normalize();
+        };
         let mut right = camera.sky.cross(ahead);
-        if right.abs().max_element() < TINY {
+        if right.abs().max_element() <= TINY * camera.sky.length() {
             let text = "the camera looks along its `sky` vector: its old right vector is kept";
             self.warn(Diagnostic::warning(span, text));
             right = camera.right;
