@@ -20,7 +20,9 @@ impl Row {
 pub fn rows(name: &str, heading: &str) -> Vec<Row> {
     let text = std::fs::read_to_string(path("data").join(name)).expect("a table");
     let lines = text.lines().enumerate().map(|(i, l)| Row { number: i + 1, fields: fields(l) });
-    lines.filter(|r| !r.fields[0].starts_with('#') && r.fields[0] != heading && !r.fields[0].is_empty()).collect()
+    lines
+        .filter(|r| !r.fields[0].starts_with('#') && r.fields[0] != heading && !r.fields[0].is_empty())
+        .collect()
 }
 
 /// Row numbers of table `name` in `tests/deviations.csv`, with the reasons.
