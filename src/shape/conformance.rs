@@ -104,7 +104,7 @@ fn isosurface() -> Isosurface {
     let mut surface = Isosurface::new(Arc::new(Dented));
     surface.container = Container::cuboid(Vec3::new(-1.1, -1.6, -1.7), Vec3::new(1.5, 1.8, 1.4));
     surface.max_gradient = 1.6;
-    surface.accuracy = 1e-5;
+    surface.accuracy = 1e-13;
     surface.max_trace = 10;
     surface
 }

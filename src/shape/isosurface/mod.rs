@@ -11,16 +11,21 @@
 //! | open | | off | leaves the container's surface away where the solid reaches it |
 //! | max_trace | | 1 | how many crossings of a ray are looked for; 10 in combinations |
 //!
-//! A ray is searched for the first short interval at whose end the sign has changed: intervals in which the
-//! slope's bound allows no zero are left out ([`search`]), and so are stretches in which the function's
-//! range is known to have one sign ([`cells`]).
+//! A ray is searched for the first short interval at whose end the sign has changed. Intervals in which the
+//! bound of the slope allows no zero are left out ([`search`]), and so are those in which the function's
+//! own ranges do ([`cells`]); the zero is then refined to rounding.
 //!
-//! Numerical care: within that interval the zero is refined to rounding, so that `accuracy` limits what is
-//! found, not where it lies. Lengths are the object's own unless it is enlarged, when they are the world's:
-//! a small copy looks like the large one. A ray that starts on the surface steps a ten-millionth of the
-//! container away before it looks at the sign. The normal is taken from differences forward by `accuracy`.
+//! The point that is reported lies up to `accuracy` behind that zero, where the reference finds it: the way
+//! through the container is halved until the pieces are shorter than `accuracy`, measured in the world, and
+//! the end of the piece with the zero counts. Fine textures depend on that. Where such pieces are no longer
+//! small in comparison with the container, the zero itself is reported: a small copy looks like the large
+//! one.
 //!
-//! Reference: D. Kalra and A. Barr, "Guaranteed Ray Intersections with Implicit Surfaces", SIGGRAPH 1989.
+//! Numerical care: a ray that starts on the surface steps a ten-millionth of the container away before it
+//! looks at the sign. The normal is taken from differences forward by `accuracy`, as the reference has it.
+//!
+//! References: D. Kalra and A. Barr, "Guaranteed Ray Intersections with Implicit Surfaces", SIGGRAPH 1989;
+//! D. Mitchell, "Robust Ray Intersection with Interval Arithmetic", Graphics Interface 1990.
 
 mod cells;
 mod search;
@@ -29,7 +34,8 @@ use super::container::Clip;
 use super::{Container, Crossing, Shape, rounding};
 use crate::math::field::Field;
 use crate::math::{Aabb, EPSILON, Range, Ray, Transform, Vec3};
-use cells::Cells;
+use cells::{Cells, Level, Stretch};
+use glam::DMat3;
 use search::{Bound, Bracket, first_bracket, refine};
 use std::sync::{Arc, OnceLock};
 
@@ -45,8 +51,8 @@ pub struct Isosurface {
     pub evaluate: Option<[f64; 3]>,
     pub open: bool,
     pub max_trace: usize,
-    /// Shortest interval that is searched.
-    resolution: f64,
+    /// Takes lengths to the world.
+    to_world: DMat3,
     cells: Arc<OnceLock<Option<Cells>>>,
 }
 
@@ -55,6 +61,9 @@ const CONTAINER: u32 = 1;
 
 /// How far a ray that starts on the surface steps from it, in container sizes.
 const SKIP: f64 = 1e-7;
+
+/// Largest piece of the way at whose end a zero is reported, in container sizes.
+const LARGEST_PIECE: f64 = 0.02;
 
 impl Isosurface {
     pub fn new(function: Arc<dyn Field>) -> Self {
@@ -67,32 +76,54 @@ impl Isosurface {
             evaluate: None,
             open: false,
             max_trace: 1,
-            resolution: f64::INFINITY,
+            to_world: DMat3::IDENTITY,
             cells: Arc::default(),
         }
     }
 
     fn value(&self, p: Vec3) -> f64 {
-        self.function.value(p) - self.threshold
+        let value = self.function.value(p) - self.threshold;
+        // What is undefined is outside.
+        if value.is_nan() { f64::INFINITY } else { value }
     }
 
     fn size(&self) -> f64 {
         self.container.bounds().size().max_element()
     }
 
+    fn level(&self) -> Level<'_> {
+        Level { field: &*self.function, threshold: self.threshold }
+    }
+
     fn cells(&self) -> Option<&Cells> {
-        let make = || Cells::new(&*self.function, self.threshold, &self.container.bounds());
-        self.cells.get_or_init(make).as_ref()
+        self.cells.get_or_init(|| Cells::new(self.level(), &self.container.bounds())).as_ref()
+    }
+
+    /// The accuracy along a unit direction, in the object's own lengths.
+    fn accuracy_along(&self, dir: Vec3) -> f64 {
+        self.accuracy / (self.to_world * dir).length()
+    }
+
+    /// Whether zeros are reported at the ends of pieces of the way.
+    fn in_pieces(&self, accuracy: f64) -> bool {
+        accuracy <= LARGEST_PIECE * self.size()
     }
 
     /// Calls `found` with the crossings in order until it has enough.
     fn cross(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
         let Some(clip) = self.container.clip(ray, range) else { return };
-        let line = Line { surface: self, ray: Ray::new(ray.at(clip.from), ray.dir) };
+        let accuracy = self.accuracy_along(ray.dir);
+        let line = Line { surface: self, ray: Ray::new(ray.at(clip.from), ray.dir), accuracy };
         let mut left = self.max_trace;
         let mut at = (0.0, line.value(0.0));
+        let mut start = 0.0;
         match clip.entry {
-            None => at = self.off_the_surface(&line, at),
+            None => {
+                // The reference looks from here on if a ray starts in a closed solid or near it.
+                let near = !self.open && at.1 < 4.0 * self.max_gradient * self.accuracy;
+                start = if near { 5.0 * accuracy } else { 0.0 };
+                at = self.off_the_surface(&line, at);
+            }
             Some(entry) if at.1 < 0.0 && !self.open => {
                 left -= 1;
                 if found(on_container(entry)) || left == 0 {
@@ -105,9 +136,11 @@ impl Isosurface {
         while left > 0 && at.0 < end {
             let Some(zero) = line.zero(at, end) else { break };
             left -= 1;
-            if found(Crossing::new(clip.from + zero.0)) {
+            let reported = line.end_of_piece(zero, start, end);
+            if found(Crossing::new(clip.from + reported)) {
                 return;
             }
+            start = reported + 5.0 * accuracy;
             at = zero;
         }
         self.leave(&line, &clip, left, found);
@@ -141,6 +174,7 @@ fn on_container(crossing: Crossing) -> Crossing {
 struct Line<'a> {
     surface: &'a Isosurface,
     ray: Ray,
+    accuracy: f64,
 }
 
 impl Line<'_> {
@@ -151,18 +185,15 @@ impl Line<'_> {
     /// The first zero behind `from` and the value there, which has the other sign.
     fn zero(&self, from: (f64, f64), end: f64) -> Option<(f64, f64)> {
         let sign = if from.1 < 0.0 { -1.0 } else { 1.0 };
-        let mut f = |t: f64| sign * self.value(t);
-        let mut first = |start: f64, stop: f64| {
-            let at = |f: &mut dyn FnMut(f64) -> f64, t: f64| (t, f(t));
-            let near = if start == from.0 { (from.0, sign * from.1) } else { at(&mut f, start) };
-            let far = at(&mut f, stop);
-            let bracket = self.bracket(&mut f, near, far)?;
-            Some(refine(&mut f, bracket, self.width()).far)
-        };
-        let zero = match self.surface.cells() {
-            Some(cells) => cells.stretches(&self.ray, [from.0, end], sign > 0.0, first),
-            None => first(from.0, end),
+        let mut march = March { line: self, sign, at: from.0, least: sign * from.1, exact: true };
+        let bracket = match self.surface.cells() {
+            Some(cells) => {
+                let stretch = [from.0, end];
+                cells.walk(self.surface.level(), &self.ray, stretch, &mut |to, known| march.on(to, known))
+            }
+            None => march.on(end, Stretch::Slopes(f64::NEG_INFINITY, f64::INFINITY)),
         }?;
+        let zero = refine(&mut |t| sign * self.value(t), bracket, self.width()).far;
         Some((zero.0, sign * zero.1))
     }
 
@@ -172,27 +203,101 @@ impl Line<'_> {
         8.0 * EPSILON * (bounds.min.abs().max(bounds.max.abs()).max_element() + self.surface.size())
     }
 
-    fn bracket(&self, f: &mut impl FnMut(f64) -> f64, near: (f64, f64), far: (f64, f64)) -> Option<Bracket> {
-        let resolution = self.surface.resolution.min(self.surface.accuracy);
-        let Some([least, factor, _]) = self.surface.evaluate else {
-            let bound = Bound { slope: self.surface.max_gradient, resolution };
-            return first_bracket(f, near, far, &mut |_, _| bound);
+    /// The end of the piece in which a zero lies, when `start..end` is halved down to pieces shorter than the
+    /// accuracy; the zero itself where that is too coarse, or steps over a thin part.
+    fn end_of_piece(&self, zero: (f64, f64), start: f64, end: f64) -> f64 {
+        if !self.surface.in_pieces(self.accuracy) || zero.0 <= start {
+            return zero.0;
+        }
+        let mut piece = end - start;
+        while piece >= self.accuracy {
+            piece *= 0.5;
+        }
+        let t = start + ((zero.0 - start) / piece).ceil() * piece;
+        if t <= end && (self.value(t) < 0.0) == (zero.1 < 0.0) { t } else { zero.0 }
+    }
+}
+
+/// Looks for the place where a function that is not negative at first becomes negative.
+struct March<'a> {
+    line: &'a Line<'a>,
+    /// Times this the field is the function.
+    sign: f64,
+    /// How far it has been looked at.
+    at: f64,
+    /// A number that the function is not below there, or its value.
+    least: f64,
+    exact: bool,
+}
+
+impl March<'_> {
+    /// Goes on to `to` on a stretch of which this is known.
+    fn on(&mut self, to: f64, known: Stretch) -> Option<Bracket> {
+        let clear = if self.sign > 0.0 { Stretch::Positive } else { Stretch::Negative };
+        if known == clear {
+            (self.at, self.least, self.exact) = (to, 0.0, false);
+            return None;
+        }
+        let slopes = self.slopes(known);
+        let fall = slopes.0.min(0.0) * (to - self.at);
+        if self.least + fall >= 0.0 && !fall.is_nan() {
+            (self.at, self.least, self.exact) = (to, self.least + slopes.0 * (to - self.at), false);
+            return None;
+        }
+        let mut f = |t: f64| self.sign * self.line.value(t);
+        let near = (self.at, if self.exact { self.least } else { f(self.at) });
+        let far = (to, f(to));
+        let bracket = if near.1 < 0.0 {
+            // Only rounding can have hidden the zero.
+            Some(Bracket { near, far: near })
+        } else {
+            self.search(&mut f, near, far, slopes)
+        };
+        (self.at, self.least, self.exact) = (to, far.1, true);
+        bracket
+    }
+
+    /// The slopes that are known, or else the scene's bound.
+    fn slopes(&self, known: Stretch) -> (f64, f64) {
+        let (low, high) = match known {
+            Stretch::Slopes(low, high) if self.sign > 0.0 => (low, high),
+            Stretch::Slopes(low, high) => (-high, -low),
+            _ => (f64::NEG_INFINITY, f64::INFINITY),
+        };
+        let surface = self.line.surface;
+        let bound = if surface.evaluate.is_some() { f64::INFINITY } else { surface.max_gradient };
+        (if low.is_finite() { low } else { -bound }, if high.is_finite() { high } else { bound })
+    }
+
+    fn search(
+        &self,
+        f: &mut impl FnMut(f64) -> f64,
+        near: (f64, f64),
+        far: (f64, f64),
+        slopes: (f64, f64),
+    ) -> Option<Bracket> {
+        let surface = self.line.surface;
+        let resolution = self.line.accuracy.min(LARGEST_PIECE * surface.size());
+        let Some([least, factor, _]) = surface.evaluate else {
+            return first_bracket(f, near, far, &mut |_, _| Bound { slopes, resolution });
         };
         // The bound grows with the slopes seen; what was left out before it grew is searched again.
-        let start = self.surface.max_gradient.max(least);
-        let mut slope = start;
+        let start = surface.max_gradient.max(least);
+        let mut steepest = start;
+        let within = |steepest: f64| (slopes.0.max(-steepest), slopes.1.min(steepest));
         let mut adapt = |near: (f64, f64), far: (f64, f64)| {
             let seen = (far.1 - near.1).abs() / (far.0 - near.0);
-            if seen.is_finite() && seen * factor > slope {
-                slope = seen * factor * factor;
+            if seen.is_finite() && seen * factor > steepest {
+                steepest = seen * factor * factor;
             }
-            Bound { slope, resolution }
+            Bound { slopes: within(steepest), resolution }
         };
         let found = first_bracket(f, near, far, &mut adapt);
-        if found.is_some() || slope == start {
+        if found.is_some() || steepest == start {
             return found;
         }
-        first_bracket(f, near, far, &mut |_, _| Bound { slope, resolution })
+        let slopes = within(steepest);
+        first_bracket(f, near, far, &mut |_, _| Bound { slopes, resolution })
     }
 }
 
@@ -240,14 +345,13 @@ impl Shape for Isosurface {
         }
         let p = ray.at(crossing.t);
         let reach = ray.origin.abs().max_element() + crossing.t.abs() + p.abs().max_element();
-        (p, rounding(reach + self.size()))
+        let accuracy = self.accuracy_along(ray.dir);
+        let behind = if self.in_pieces(accuracy) { accuracy } else { 0.0 };
+        (p, behind + rounding(reach + self.size()))
     }
 
     fn placed(&self, to_world: &Transform) -> Option<Arc<dyn Shape>> {
-        let m = to_world.forward.matrix3;
-        let stretch =
-            [m.x_axis, m.y_axis, m.z_axis].map(|axis| axis.length()).into_iter().fold(1.0, f64::max);
-        Some(Arc::new(Self { resolution: self.accuracy / stretch, ..self.clone() }))
+        Some(Arc::new(Self { to_world: to_world.forward.matrix3, ..self.clone() }))
     }
 
     fn kind(&self) -> &'static str {

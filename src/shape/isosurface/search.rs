@@ -13,15 +13,37 @@ const LARGEST_DEPTH: usize = 64;
 /// What the search goes by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound {
-    /// Largest slope.
-    pub slope: f64,
+    /// Between these the function's slope lies.
+    pub slopes: (f64, f64),
     /// Intervals shorter than this are not divided.
     pub resolution: f64,
 }
 
+impl Bound {
+    /// Whether a function with these values at the ends of an interval, the first not negative, cannot be
+    /// negative inside.
+    pub fn excludes(&self, near: (f64, f64), far: (f64, f64)) -> bool {
+        let (low, high) = self.slopes;
+        if far.1.is_nan() || far.1 < 0.0 {
+            return false;
+        }
+        // It cannot fall, or cannot rise again.
+        if low >= 0.0 || high <= 0.0 {
+            return true;
+        }
+        // Falling and rising as fast as may be, it gets down to this over `high - low`.
+        near.1 * high - far.1 * low + low * high * (far.0 - near.0) >= 0.0
+    }
+
+    /// Whether a function that is not negative before an interval and negative behind it has one zero in it.
+    fn falls(&self) -> bool {
+        self.slopes.1 <= 0.0
+    }
+}
+
 /// The first interval of length `resolution` at whose end `f`, not negative at first, is negative: by
-/// halving, earlier halves first. An interval with ends `a`, `b` apart by `h` has no zero inside if
-/// `f(a) + f(b) >= slope * h`.
+/// halving, earlier halves first, without what the slopes exclude. A longer interval in which the function
+/// only falls does as well.
 pub(super) fn first_bracket(
     f: &mut impl FnMut(f64) -> f64,
     from: (f64, f64),
@@ -37,22 +59,17 @@ pub(super) fn first_bracket(
         let far = ends[depth - 1];
         let bound = bound(near, far);
         let length = far.0 - near.0;
-        let clear = far.1 >= 0.0 && near.1 + far.1 >= bound.slope * length;
-        if clear || far.1.is_nan() && length < bound.resolution {
-            near = far;
-            depth -= 1;
-            continue;
-        }
         let middle = near.0 + 0.5 * length;
         let leaf = length < bound.resolution || depth == LARGEST_DEPTH || middle <= near.0 || middle >= far.0;
-        if !leaf {
-            ends[depth] = (middle, f(middle));
-            depth += 1;
-        } else if far.1 < 0.0 {
+        if far.1 < 0.0 && (leaf || bound.falls()) {
             return Some(Bracket { near, far });
-        } else {
+        }
+        if leaf || bound.excludes(near, far) {
             near = far;
             depth -= 1;
+        } else {
+            ends[depth] = (middle, f(middle));
+            depth += 1;
         }
     }
     None
@@ -119,7 +136,10 @@ mod tests {
             f(t)
         };
         let ends = [(0.0, f(0.0)), (to, f(to))];
-        let found = first_bracket(&mut counted, ends[0], ends[1], &mut |_, _| Bound { slope, resolution });
+        let found = first_bracket(&mut counted, ends[0], ends[1], &mut |_, _| Bound {
+            slopes: (-slope, slope),
+            resolution,
+        });
         (found, count)
     }
 

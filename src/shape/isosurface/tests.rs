@@ -63,7 +63,7 @@ fn pair() -> Isosurface {
 }
 
 #[test]
-fn agrees_with_the_reference_within_the_accuracy() {
+fn agrees_with_the_reference() {
     let text = include_str!("../../../tests/data/isosurface-trace-oracle.csv");
     let mut rows = 0;
     for line in text.lines() {
@@ -80,11 +80,9 @@ fn agrees_with_the_reference_within_the_accuracy() {
         assert_eq!(found.is_some(), n[6] == 1.0, "{line}");
         if let Some(crossing) = found {
             let (p, _) = surface.locate(&ray, &crossing);
-            // The reference stops behind the zero, by up to the accuracy.
-            let behind = (vector(7) - p).dot(ray.dir);
-            assert!((-1e-9..=0.0001).contains(&behind), "{behind}: {line}");
+            assert!(p.distance(vector(7)) < 1e-11, "{p}: {line}");
             let turned = vector(10).distance(surface.normal(p, &crossing));
-            assert!(turned < 1e-3, "{turned}: {line}");
+            assert!(turned < 1e-9, "{turned}: {line}");
         }
         rows += 1;
     }
@@ -129,16 +127,29 @@ fn cells_change_no_crossing_and_save_work() {
 }
 
 #[test]
-fn zeros_are_exact_whatever_the_accuracy() {
-    for accuracy in [0.1, 1e-3, 1e-6] {
+fn points_lie_behind_zeros_by_at_most_the_accuracy() {
+    for accuracy in [0.02, 1e-3, 1e-6] {
         let surface = Isosurface { accuracy, ..pair() };
         for ray in rays(6) {
             let mut found = Vec::new();
             surface.crossings(&ray, Range::FORWARD, &mut found);
             for crossing in found.iter().filter(|c| c.part == 0) {
                 let value = surface.value(ray.at(crossing.t));
-                assert!(value.abs() < 1e-13 * (10.0 + crossing.t), "{value}");
+                assert!(value.abs() < accuracy + 1e-12, "{value}");
             }
+        }
+    }
+}
+
+#[test]
+fn zeros_are_exact_where_the_accuracy_is_coarse() {
+    let small = pair().placed(&Transform::scale(Vec3::splat(1e-4))).unwrap();
+    for ray in rays(6) {
+        let mut found = Vec::new();
+        small.crossings(&ray, Range::FORWARD, &mut found);
+        for crossing in found.iter().filter(|c| c.part == 0) {
+            let value = pair().value(ray.at(crossing.t));
+            assert!(value.abs() < 1e-13 * (10.0 + crossing.t), "{value}");
         }
     }
 }
@@ -160,7 +171,7 @@ fn a_solid_that_fills_its_container_shows_the_container() {
     let mut found = Vec::new();
     full.crossings(&Ray::new(Vec3::new(0.1, 0.2, 3.0), Vec3::NEG_Z), Range::FORWARD, &mut found);
     let ts: Vec<f64> = found.iter().map(|c| c.t).collect();
-    assert!((ts[0] - 3.0).abs() < 1e-14 && ts[1..] == [4.0], "{ts:?}");
+    assert!((3.0..3.001).contains(&ts[0]) && ts[1..] == [4.0], "{ts:?}");
     let normal = full.normal(Vec3::new(0.1, 0.2, -1.0), &found[1]);
     assert_eq!(normal, Vec3::NEG_Z);
     let open = Isosurface { open: true, ..full };
@@ -174,7 +185,8 @@ fn a_small_copy_looks_like_the_large_one() {
     let large = pair();
     let ray = Ray::new(Vec3::new(-3.0, 0.29, 0.0), Vec3::X);
     let small = large.placed(&Transform::scale(Vec3::splat(1e-6))).unwrap();
-    assert_eq!(small.nearest(&ray, Range::FORWARD), large.nearest(&ray, Range::FORWARD));
+    let (a, b) = (small.nearest(&ray, Range::FORWARD), large.nearest(&ray, Range::FORWARD));
+    assert!((a.unwrap().t - b.unwrap().t).abs() < 0.001);
 }
 
 #[test]
