@@ -7,6 +7,7 @@ pub mod adaptive;
 mod antialias;
 mod block;
 mod grid;
+mod pretrace;
 mod recursive;
 mod sampler;
 #[cfg(test)]
@@ -14,6 +15,7 @@ pub(crate) mod synthetic;
 
 pub use antialias::{Antialias, Method};
 pub use block::{Block, blocks};
+pub use pretrace::pretrace;
 
 use crate::picture::{Picture, Pixel};
 use std::sync::Mutex;
@@ -111,11 +113,14 @@ pub fn render<S: Sampler + Send>(
     let next = AtomicUsize::new(0);
     pool.broadcast(|_| {
         let mut sampler = sampler();
-        while let Some(block) = blocks.get(next.fetch_add(1, Ordering::Relaxed)) {
+        loop {
+            let serial = next.fetch_add(1, Ordering::Relaxed);
+            let Some(block) = blocks.get(serial) else { break };
             if observer.cancelled() {
                 break;
             }
             let before = sampler.rays();
+            sampler.begin_block(serial);
             let pixels = trace_block(settings, block, &mut sampler, observer);
             store(picture, block, &pixels);
             observer.block_done(block.region.pixels(), sampler.rays() - before);

@@ -8,7 +8,7 @@ use crate::cli::output::Target;
 use crate::cli::progress::Canvas;
 use crate::cli::scene;
 use crate::picture::{Encoding, Picture, PictureError};
-use crate::render::render;
+use crate::render::{pretrace, render};
 use crate::trace::{Counters, Tracer};
 use crate::world::World;
 use std::path::PathBuf;
@@ -121,9 +121,10 @@ impl<'a> Job<'a> {
         let settings = self.plan.trace_settings();
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let canvas = &live.canvas;
-        let tracers =
-            render(&rendering, &self.plan.pool, &canvas.picture, canvas, || Tracer::new(world, &settings));
-        let mut total = Counters::default();
+        let pool = &self.plan.pool;
+        let (lighting, mut total) = pretrace(world, &settings, &rendering, pool, canvas);
+        let sampler = || Tracer::lit(world, &settings, lighting.as_ref());
+        let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
         for tracer in &tracers {
             total += tracer.counters();
         }

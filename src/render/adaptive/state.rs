@@ -258,6 +258,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let (x, y) = self.tally.place(i);
         let sequence = self.sequence(i);
         let before = sampler.rays();
+        sampler.begin_block(i);
         let draws = if self.settings.seed == 0 { 0 } else { mix(self.settings.seed) };
         let mut run = |numbers: Range<u32>| {
             Samples::of(numbers.map(|k| {

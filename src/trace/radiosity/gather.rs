@@ -58,7 +58,7 @@ impl Tracer<'_> {
         let mut directions = Shower::new(query, count);
         for i in 0..count {
             let direction = self.draw(&mut directions, depth, bumpy);
-            let share = if count > 1 { i as f32 / (count - 1) as f32 } else { 0.0 };
+            let share = if count > 1 { i as f64 / (count - 1) as f64 } else { 0.0 };
             self.gather_ray(&query.departure.ray(direction), &path, share, count, &mut sums);
         }
         (self.adc_bailout, self.max_level) = (adc, level);
@@ -74,18 +74,20 @@ impl Tracer<'_> {
     }
 
     /// One ray; `share` is its place among the `count` rays, 0 to 1.
-    fn gather_ray(&mut self, ray: &Ray, path: &Path, share: f32, count: usize, sums: &mut Sums) {
+    fn gather_ray(&mut self, ray: &Ray, path: &Path, share: f64, count: usize, sums: &mut Sums) {
         let hit = self.world.nearest(ray, Range::FORWARD, RayClass::Radiosity);
         sums.add_distance(hit.as_ref().map_or(f64::INFINITY, |h| h.t), ray.dir);
         let importance = self.importance(hit.as_ref());
-        if share > importance {
+        if share > f64::from(importance) {
             return;
         }
         self.set_quality(1.0);
         let mut color = self.trace_from(*ray, path.clone(), hit).rgb;
         let mut quality = self.radiosity.as_ref().map_or(1.0, |r| r.quality);
         if importance < 1.0 {
-            quality *= count as f32 / ((importance * (count - 1) as f32).floor() + 1.0);
+            // The rays that are shaded stand for those that are not.
+            let shaded = (f64::from(importance) * (count - 1) as f64).floor() + 1.0;
+            quality *= (count as f64 / shaded) as f32;
         }
         let limit = self.radiosity.as_ref().map_or(0.0, |r| r.settings.max_sample);
         let brightest = color.max_element();
