@@ -4,6 +4,7 @@
 //! [`png`] and [`exr`] write files, [`compare`] measures how far two pictures are apart.
 
 pub mod compare;
+pub mod embed;
 pub mod encode;
 pub mod exr;
 mod file;

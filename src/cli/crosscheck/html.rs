@@ -2,6 +2,7 @@
 
 use super::row::{Row, Status, Summary};
 use crate::cli::compare::decibels;
+use crate::picture::embed::{escaped, png_address};
 use std::fmt::Write;
 
 /// The page: a summary and a sortable table with the pictures side by side.
@@ -32,13 +33,13 @@ pub fn page(rows: &[Row], summary: &Summary, min_psnr: f64) -> String {
 fn write_row(html: &mut String, row: &Row) {
     let number = |v: Option<f64>, digits: usize| v.map_or("-".into(), |v| format!("{v:.digits$}"));
     let psnr = if row.off_by_8_share.is_some() { decibels(row.psnr_db) } else { "-".into() };
-    let notes: Vec<_> = row.message.iter().chain(&row.unsupported).map(|n| escape(n)).collect();
+    let notes: Vec<_> = row.message.iter().chain(&row.unsupported).map(|n| escaped(n)).collect();
     let status = row.status;
     let _ = write!(
         html,
         "<tr><td>{}</td><td><span class=\"chip {status}\">{status}</span></td><td>{psnr}</td><td>{}</td>\
          <td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-        escape(&row.scene),
+        escaped(&row.scene),
         number(row.off_by_8_share.map(|s| s * 100.0), 2),
         number(row.glint_parse_cpu_s.zip(row.glint_prepare_cpu_s).map(|(a, b)| a + b), 3),
         number(row.glint_trace_cpu_s, 3),
@@ -50,30 +51,12 @@ fn write_row(html: &mut String, row: &Row) {
     for picture in &row.pictures {
         match picture {
             Some(png) => {
-                let _ = write!(html, "<td><img src=\"data:image/png;base64,{}\"></td>", base64(png));
+                let _ = write!(html, "<td><img src=\"{}\"></td>", png_address(png));
             }
             None => html.push_str("<td></td>"),
         }
     }
     html.push_str("</tr>\n");
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// Bytes in letters, as RFC 4648 has it.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let group = chunk.iter().fold(0u32, |g, &b| g << 8 | u32::from(b)) << (8 * (3 - chunk.len()));
-        for i in 0..4 {
-            let letter = LETTERS[(group >> (18 - 6 * i) & 63) as usize];
-            out.push(if i <= chunk.len() { char::from(letter) } else { '=' });
-        }
-    }
-    out
 }
 
 const HEAD: &str = r#"<!DOCTYPE html>
@@ -112,12 +95,6 @@ document.querySelectorAll('th').forEach((th, column) => th.addEventListener('cli
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn base64_pads() {
-        let all = ["", "f", "fo", "foo", "foob", "fooba", "foobar"].map(|t| base64(t.as_bytes()));
-        assert_eq!(all, ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"]);
-    }
 
     #[test]
     fn the_page_stands_alone() {
