@@ -12,6 +12,16 @@ pub enum Method {
     Recursive,
 }
 
+impl Method {
+    /// What users call it.
+    pub fn number(self) -> u8 {
+        match self {
+            Method::Grid => 1,
+            Method::Recursive => 2,
+        }
+    }
+}
+
 /// Settings of anti-aliasing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Antialias {

@@ -6,13 +6,13 @@
 //! * what is left of the nine means when the plane through them is taken away (edges between pixels), and
 //! * the variance inside the neighbours (features thinner than a pixel that some of them have met).
 //!
-//! Both are exact for no picture; what they are worth is found out by [`super::calibration`].
-//!
-//! The variance of one sample becomes that of the mean of n by [`Convergence`], which is measured while the
-//! picture is made: n^-1 for noise, n^-3/2 at edges, n^-3 where colours are smooth.
+//! Both are exact for no picture; what they are worth is found out by [`super::calibration`]. The variance
+//! of one sample becomes that of the mean of n by [`Convergence`].
 
+use super::convergence::{Convergence, LEVELS, level};
 use super::tally::{Samples, Tally};
 use crate::picture::light::Light;
+use glam::Vec3A;
 use rayon::prelude::*;
 
 /// How many samples the neighbours' testimony is worth.
@@ -24,62 +24,11 @@ const RESIDUAL_TO_VARIANCE: f32 = 0.75;
 const SLOPE_TO_VARIANCE: f32 = 1.0 / 12.0;
 /// However steep: this share of the samples' variance is left.
 const LEAST_SHARE: f32 = 0.1;
-
 /// Neighbours in flat surroundings differ by less, in each channel of light.
 const ALIKE: f32 = 1.0 / 1024.0;
 
-/// Number of doublings that are told apart.
-pub const LEVELS: usize = 24;
-
-/// The level of a pixel with 2^level samples.
-pub fn level(count: u32) -> usize {
-    (count.max(1).ilog2() as usize).min(LEVELS - 1)
-}
-
-/// By how much the variance of a mean falls with each doubling of its samples.
-#[derive(Clone, Debug)]
-pub struct Convergence {
-    /// Variance of the mean of 2^(k+1) samples over that of 2^k.
-    pub ratio: [f32; LEVELS],
-}
-
-impl Default for Convergence {
-    /// Edges of random place and direction through a pixel.
-    fn default() -> Self {
-        let mut ratio = [0.36; LEVELS];
-        ratio[..4].copy_from_slice(&[0.29, 0.31, 0.33, 0.35]);
-        Self { ratio }
-    }
-}
-
-impl Convergence {
-    /// The squared error of a mean of 2^level samples, where the mean of as many new ones is off by the root
-    /// of `jump`. Of independent halves it would be half the jump; stratified together they repel each other.
-    pub fn error_from_jump(&self, level: usize, jump: f32) -> f32 {
-        jump / (4.0 - 4.0 * self.ratio[level])
-    }
-
-    /// Variance of the mean of 2^k samples over that of one.
-    pub fn gain(&self) -> [f32; LEVELS] {
-        let mut gain = [1.0; LEVELS];
-        for k in 1..LEVELS {
-            gain[k] = gain[k - 1] * self.ratio[k - 1];
-        }
-        gain
-    }
-}
-
-/// One pixel as its neighbours see it.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    light: [f32; 3],
-    /// Where the samples' mean place is, relative to the pixel's centre.
-    at: [f32; 2],
-    /// Sum over the channels of the variance of a sample, times its degrees of freedom.
-    spread: f32,
-    /// Degrees of freedom: one less than samples.
-    freedom: f32,
-}
+/// Change of light per pixel along x and y, for each channel.
+pub type Slope = [Vec3A; 2];
 
 /// What is known of one pixel's error.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,45 +39,116 @@ pub struct Expected {
     pub local: f32,
     /// and with what is known of its class ([`super::calibration`]).
     pub variance: f32,
-    /// How light changes along x and y, per channel, so far as neighbours agree on it.
+}
+
+/// What a pixel's surroundings say of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Around {
+    /// What is left of the means when a plane is taken away, per degree of freedom, over the channels.
+    residual: f32,
+    /// Variance inside the neighbours.
+    within: f32,
+    /// How light changes, so far as neighbours agree on it.
     pub slope: Slope,
-    /// Of a pixel with one sample in flat surroundings: by how much (squared) that sample stands out.
-    pub surprise: Option<f32>,
 }
 
-/// Change of light per pixel along x and y, for each channel.
-pub type Slope = [[f32; 2]; 3];
+/// One pixel as its neighbours see it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    light: Vec3A,
+    /// Where the samples' mean place is, relative to the pixel's centre.
+    at: [f32; 2],
+    /// Sum over the channels of the variance of a sample, times its degrees of freedom.
+    spread: f32,
+    /// Degrees of freedom: one less than samples.
+    freedom: f32,
+}
 
-/// The expected errors of all pixels, row by row. `offset` tells where the only sample of a pixel lies.
-pub fn survey(
-    tally: &Tally,
-    light: &Light,
-    convergence: &Convergence,
-    offset: impl Fn(usize) -> (f64, f64) + Sync,
-) -> Vec<Expected> {
-    let seen = |(i, s): (usize, &Samples)| see(s, light, || offset(i));
-    let seen: Vec<Seen> = tally.pixels.par_iter().enumerate().map(seen).collect();
-    let gain = convergence.gain();
-    let (width, height) = (tally.width(), tally.height());
-    let mut expected = vec![Expected::default(); seen.len()];
-    expected.par_chunks_mut(width.max(1)).enumerate().for_each(|(y, row)| {
-        for (x, e) in row.iter_mut().enumerate() {
-            let samples = &tally.pixels[y * width + x];
-            *e = Around::of(&seen, x, y, width, height).expected(samples, light, gain[level(samples.count)]);
-            e.surprise = surprise(&seen, x, y, width, height);
+/// All pixels with their surroundings, kept up to date.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    width: usize,
+    seen: Vec<Seen>,
+    pub around: Vec<Around>,
+    /// Pixels that have got samples since the last look.
+    changed: Vec<bool>,
+}
+
+impl Survey {
+    pub fn new(tally: &Tally) -> Self {
+        let n = tally.pixels.len();
+        Self {
+            width: tally.width(),
+            seen: vec![Seen::default(); n],
+            around: vec![Around::default(); n],
+            changed: vec![true; n],
         }
-    });
-    expected
+    }
+
+    /// Pixel `i` has got samples.
+    pub fn touch(&mut self, i: usize) {
+        self.changed[i] = true;
+    }
+
+    /// Looks at what has changed, and gives the expected errors of all pixels. `offset` tells where the only
+    /// sample of a pixel lies.
+    pub fn look(
+        &mut self,
+        tally: &Tally,
+        light: &Light,
+        convergence: &Convergence,
+        offset: impl Fn(usize) -> (f64, f64) + Sync,
+    ) -> Vec<Expected> {
+        let changed = &self.changed;
+        self.seen
+            .par_iter_mut()
+            .zip(&tally.pixels)
+            .enumerate()
+            .filter(|(i, _)| changed[*i])
+            .for_each(|(i, (seen, samples))| *seen = Seen::new(samples, light, || offset(i)));
+        let view = View { seen: &self.seen, width: self.width };
+        let gain = convergence.gain();
+        let mut expected = vec![Expected::default(); self.seen.len()];
+        let width = self.width.max(1);
+        let rows = self.around.par_chunks_mut(width).zip(expected.par_chunks_mut(width)).enumerate();
+        rows.for_each(|(y, (around, expected))| {
+            let samples = &tally.pixels[y * width..][..width];
+            for x in 0..width {
+                if view.neighbours(x, y).any(|i| changed[i]) {
+                    around[x] = view.around(x, y);
+                }
+                let plain = around[x].expected(&samples[x], light, &gain);
+                expected[x] = Expected { plain, local: plain, variance: plain };
+            }
+        });
+        self.changed.fill(false);
+        expected
+    }
+
+    /// For each pixel of one sample whose neighbours are all alike: by how much (squared) it stands out.
+    pub fn surprises(&self) -> impl Iterator<Item = f32> {
+        let view = View { seen: &self.seen, width: self.width };
+        let (width, height) = (self.width, self.seen.len() / self.width.max(1));
+        let inner = (1..height.saturating_sub(1))
+            .flat_map(move |y| (1..width.saturating_sub(1)).map(move |x| (x, y)));
+        inner.filter_map(move |(x, y)| view.surprise(x, y))
+    }
 }
 
-fn see(samples: &Samples, light: &Light, offset: impl Fn() -> (f64, f64)) -> Seen {
-    let at = if samples.count == 1 { offset() } else { (0.0, 0.0) };
-    let freedom = samples.count.saturating_sub(1) as f32;
-    Seen {
-        light: light.pixel(&samples.pixel()),
-        at: [at.0 as f32, at.1 as f32],
-        spread: variance_of_mean(samples, light, 1.0) * freedom,
-        freedom,
+impl Seen {
+    fn new(samples: &Samples, light: &Light, offset: impl Fn() -> (f64, f64)) -> Self {
+        let at = if samples.count == 1 { offset() } else { (0.0, 0.0) };
+        let freedom = samples.count.saturating_sub(1) as f32;
+        Self {
+            light: light.pixel(&samples.pixel()).into(),
+            at: [at.0 as f32, at.1 as f32],
+            spread: variance_of_mean(samples, light, 1.0) * freedom,
+            freedom,
+        }
+    }
+
+    fn is_like(&self, other: &Seen) -> bool {
+        (self.light - other.light).abs().cmplt(Vec3A::splat(ALIKE)).all()
     }
 }
 
@@ -139,99 +159,145 @@ fn variance_of_mean(samples: &Samples, light: &Light, gain: f32) -> f32 {
     }
     let mut sum = 0.0;
     for k in 0..3 {
-        let sigma = (samples.spread[k] / (samples.count - 1) as f32 * gain).sqrt();
-        let half = 0.5 * (light.of(samples.mean[k] + sigma) - light.of(samples.mean[k] - sigma));
-        sum += half * half;
+        if samples.spread[k] > 0.0 {
+            let sigma = (samples.spread[k] / (samples.count - 1) as f32 * gain).sqrt();
+            let half = 0.5 * (light.of(samples.mean[k] + sigma) - light.of(samples.mean[k] - sigma));
+            sum += half * half;
+        }
     }
     sum
 }
 
-/// A pixel with its neighbours, nine or fewer.
-struct Around {
-    /// What is left of the means when a plane is taken away, per degree of freedom, over the channels.
-    residual: f32,
-    slope: Slope,
-    /// Variance inside the neighbours.
-    within: f32,
+/// The pixels as they see each other.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    seen: &'a [Seen],
+    width: usize,
+}
+
+impl View<'_> {
+    /// A pixel and those around it, row by row.
+    fn neighbours(self, x: usize, y: usize) -> impl Iterator<Item = usize> {
+        let (width, height) = (self.width, self.seen.len() / self.width);
+        let columns = x.saturating_sub(1)..(x + 2).min(width);
+        (y.saturating_sub(1)..(y + 2).min(height))
+            .flat_map(move |yy| columns.clone().map(move |xx| yy * width + xx))
+    }
+
+    fn around(self, x: usize, y: usize) -> Around {
+        let own = &self.seen[y * self.width + x];
+        let (mut spread, mut freedom, mut same) = (-own.spread, -own.freedom, true);
+        for i in self.neighbours(x, y) {
+            let s = &self.seen[i];
+            spread += s.spread;
+            freedom += s.freedom;
+            same &= s.light == own.light;
+        }
+        let within = if freedom > 0.5 { (spread / freedom).max(0.0) } else { 0.0 };
+        if same {
+            return Around { within, ..Around::default() };
+        }
+        let (residual, slope) = self.plane(x, y);
+        Around { residual, within, slope }
+    }
+
+    /// The plane nearest to a pixel and those around it: mean squared residual over the channels, and
+    /// slopes, made smaller the less the plane explains.
+    fn plane(self, x: usize, y: usize) -> (f32, Slope) {
+        let base = self.seen[y * self.width + x].light;
+        let (mut n, mut sx, mut sy, mut sxx, mut sxy, mut syy) = (0.0f32, 0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut sv, mut sxv, mut syv, mut svv) = (Vec3A::ZERO, Vec3A::ZERO, Vec3A::ZERO, Vec3A::ZERO);
+        for i in self.neighbours(x, y) {
+            let s = &self.seen[i];
+            let px = (i % self.width) as f32 - x as f32 + s.at[0];
+            let py = (i / self.width) as f32 - y as f32 + s.at[1];
+            let v = s.light - base;
+            n += 1.0;
+            (sx, sy) = (sx + px, sy + py);
+            (sxx, sxy, syy) = (sxx + px * px, sxy + px * py, syy + py * py);
+            (sv, sxv, syv, svv) = (sv + v, sxv + px * v, syv + py * v, svv + v * v);
+        }
+        let (xx, xy, yy) = (sxx - sx * sx / n, sxy - sx * sy / n, syy - sy * sy / n);
+        let det = xx * yy - xy * xy;
+        if n < 4.0 || det <= 1e-3 * xx * yy {
+            return (0.0, Slope::default());
+        }
+        let (xv, yv, vv) = (sxv - sx * sv / n, syv - sy * sv / n, svv - sv * sv / n);
+        let (gx, gy) = ((xv * yy - yv * xy) / det, (yv * xx - xv * xy) / det);
+        let explained = (gx * xv + gy * yv).max(Vec3A::splat(f32::MIN_POSITIVE));
+        let left = (vv - explained).max(Vec3A::ZERO) / (n - 3.0);
+        let share = (Vec3A::ONE - 2.0 * left / explained).max(Vec3A::ZERO);
+        (left.element_sum(), [gx * share, gy * share])
+    }
+
+    fn surprise(self, x: usize, y: usize) -> Option<f32> {
+        let own = y * self.width + x;
+        let first = &self.seen[own - self.width - 1];
+        let alike = self.neighbours(x, y).all(|i| i == own || self.seen[i].is_like(first));
+        let own = &self.seen[own];
+        (own.freedom == 0.0 && alike).then(|| own.light.distance_squared(first.light))
+    }
 }
 
 impl Around {
-    fn of(seen: &[Seen], x: usize, y: usize, width: usize, height: usize) -> Self {
-        let mut near: smallvec::SmallVec<[(f32, f32, &Seen); 9]> = smallvec::SmallVec::new();
-        let (mut spread, mut freedom) = (0.0, 0.0);
-        for yy in y.saturating_sub(1)..(y + 2).min(height) {
-            for xx in x.saturating_sub(1)..(x + 2).min(width) {
-                let s = &seen[yy * width + xx];
-                let (dx, dy) = (xx as f32 - x as f32, yy as f32 - y as f32);
-                near.push((dx + s.at[0], dy + s.at[1], s));
-                if (xx, yy) != (x, y) {
-                    spread += s.spread;
-                    freedom += s.freedom;
-                }
-            }
-        }
-        let (residual, slope) = plane(&near);
-        Self { residual, slope, within: if freedom > 0.0 { spread / freedom } else { 0.0 } }
-    }
-
-    fn expected(&self, samples: &Samples, light: &Light, gain: f32) -> Expected {
+    fn expected(&self, samples: &Samples, light: &Light, gain: &[f32; LEVELS]) -> f32 {
+        let gain = gain[level(samples.count)];
         let prior = (RESIDUAL_TO_VARIANCE * self.residual).max(self.within) * gain;
         let freedom = samples.count.saturating_sub(1) as f32;
-        let slope: f32 = self.slope.iter().flatten().map(|g| g * g).sum();
         let raw = variance_of_mean(samples, light, gain);
+        let slope = self.slope[0].length_squared() + self.slope[1].length_squared();
         let own = (raw - SLOPE_TO_VARIANCE * slope * gain).max(LEAST_SHARE * raw);
-        let variance = (PRIOR_WEIGHT * prior + freedom * own) / (PRIOR_WEIGHT + freedom);
-        Expected { plain: variance, local: variance, variance, slope: self.slope, surprise: None }
+        (PRIOR_WEIGHT * prior + freedom * own) / (PRIOR_WEIGHT + freedom)
     }
 }
 
-/// By how much a pixel's light stands out (squared) from neighbours that are all alike.
-fn surprise(seen: &[Seen], x: usize, y: usize, width: usize, height: usize) -> Option<f32> {
-    let own = &seen[y * width + x];
-    if own.freedom > 0.0 || x == 0 || y == 0 || x + 1 == width || y + 1 == height {
-        return None;
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::{Gamma, Rgb};
+    use crate::picture::Pixel;
+    use crate::render::Region;
+
+    /// One sample in the centre of each pixel.
+    fn look(width: u32, height: u32, color: impl Fn(u32, u32) -> f32) -> (Survey, Vec<Expected>) {
+        let mut tally = Tally::new(Region::whole(width, height));
+        for i in 0..tally.pixels.len() {
+            let (x, y) = tally.place(i);
+            tally.pixels[i] = Samples::of([Pixel::new(Rgb::splat(color(x, y)), 0.0)].into_iter());
+        }
+        let mut survey = Survey::new(&tally);
+        let light = Light::new(Gamma::Power(1.0));
+        let expected = survey.look(&tally, &light, &Convergence::default(), |_| (0.0, 0.0));
+        (survey, expected)
     }
-    let first = &seen[(y - 1) * width + x - 1];
-    for yy in y - 1..y + 2 {
-        for xx in x - 1..x + 2 {
-            let s = &seen[yy * width + xx];
-            let same = (0..3).all(|k| (s.light[k] - first.light[k]).abs() < ALIKE);
-            if (xx, yy) != (x, y) && !same {
-                return None;
-            }
+
+    #[test]
+    fn a_plane_is_no_error() {
+        let (survey, expected) = look(7, 5, |x, y| 0.2 + 0.05 * x as f32 - 0.03 * y as f32);
+        assert!(expected.iter().all(|e| e.plain < 1e-8), "{expected:?}");
+        for around in &survey.around {
+            assert!((around.slope[0] - Vec3A::splat(0.05)).abs().max_element() < 1e-5, "{around:?}");
+            assert!((around.slope[1] + Vec3A::splat(0.03)).abs().max_element() < 1e-5, "{around:?}");
+        }
+        assert_eq!(survey.surprises().count(), 0);
+    }
+
+    /// An edge between columns 3 and 4 makes both suspect, and no other.
+    #[test]
+    fn an_edge_makes_its_neighbours_suspect() {
+        let (_, expected) = look(8, 5, |x, _| if x < 4 { 0.0 } else { 1.0 });
+        for (i, e) in expected.iter().enumerate() {
+            assert_eq!(e.plain > 0.05, (3..5).contains(&(i % 8)), "{i} {e:?}");
         }
     }
-    Some((0..3).map(|k| (own.light[k] - first.light[k]).powi(2)).sum())
-}
 
-/// The plane nearest to the points: mean squared residual over the channels, and slopes, made smaller the
-/// less the plane explains.
-fn plane(near: &[(f32, f32, &Seen)]) -> (f32, Slope) {
-    let n = near.len() as f32;
-    let first = near[0].2.light;
-    if n < 4.0 || near.iter().all(|p| p.2.light == first) {
-        return (0.0, [[0.0; 2]; 3]);
+    /// A speck in flat surroundings surprises once; its neighbours are not in flat surroundings.
+    #[test]
+    fn a_speck_is_a_surprise() {
+        let (survey, _) = look(9, 9, |x, y| if (x, y) == (4, 4) { 0.5 } else { 0.25 });
+        let surprises: Vec<f32> = survey.surprises().collect();
+        assert_eq!(surprises.len(), 49 - 8);
+        assert_eq!(surprises.iter().filter(|s| **s > 0.0).count(), 1);
+        assert!((surprises.iter().sum::<f32>() - 3.0 * 0.0625).abs() < 1e-6);
     }
-    let mean = |f: &dyn Fn(&(f32, f32, &Seen)) -> f32| near.iter().map(f).sum::<f32>() / n;
-    let (mx, my) = (mean(&|p| p.0), mean(&|p| p.1));
-    let sum =
-        |f: &dyn Fn(f32, f32, &Seen) -> f32| -> f32 { near.iter().map(|p| f(p.0 - mx, p.1 - my, p.2)).sum() };
-    let (xx, xy, yy) = (sum(&|x, _, _| x * x), sum(&|x, y, _| x * y), sum(&|_, y, _| y * y));
-    let det = xx * yy - xy * xy;
-    if det <= 1e-3 * xx * yy {
-        return (0.0, [[0.0; 2]; 3]);
-    }
-    let (mut residual, mut slope) = (0.0, [[0.0; 2]; 3]);
-    for (k, slope) in slope.iter_mut().enumerate() {
-        let mv = mean(&|p| p.2.light[k]);
-        let (xv, yv) = (sum(&|x, _, s| x * (s.light[k] - mv)), sum(&|_, y, s| y * (s.light[k] - mv)));
-        let vv = sum(&|_, _, s| (s.light[k] - mv).powi(2));
-        let (gx, gy) = ((xv * yy - yv * xy) / det, (yv * xx - xv * xy) / det);
-        let explained = gx * xv + gy * yv;
-        let left = (vv - explained).max(0.0) / (n - 3.0);
-        residual += left;
-        let share = if explained > 0.0 { (1.0 - 2.0 * left / explained).max(0.0) } else { 0.0 };
-        *slope = [gx * share, gy * share];
-    }
-    (residual, slope)
 }

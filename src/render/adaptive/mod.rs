@@ -17,6 +17,7 @@
 
 mod calibration;
 mod coarse;
+mod convergence;
 mod estimate;
 mod locality;
 mod order;

@@ -6,7 +6,8 @@
 //! carried out, and then pixels are looked at again.
 
 use super::calibration::{BINS, Calibration, bin};
-use super::estimate::{Convergence, Expected, LEVELS, Slope, level};
+use super::convergence::{Convergence, LEVELS, level};
+use super::estimate::Expected;
 use super::order::tile;
 use super::sequence::mix;
 use super::tally::{Samples, Tally};
@@ -34,16 +35,15 @@ pub struct Task {
     /// Squared errors that are expected before they are held against measured ones.
     pub plain: f32,
     pub local: f32,
-    pub slope: Slope,
 }
 
 impl Task {
     pub fn first(pixel: u32, to: u32) -> Self {
-        Self { pixel, to, plain: 0.0, local: 0.0, slope: Slope::default() }
+        Self { pixel, to, plain: 0.0, local: 0.0 }
     }
 
     fn doubling(pixel: usize, samples: &Samples, e: &Expected) -> Self {
-        Self { pixel: pixel as u32, to: samples.count * 2, plain: e.plain, local: e.local, slope: e.slope }
+        Self { pixel: pixel as u32, to: samples.count * 2, plain: e.plain, local: e.local }
     }
 }
 
@@ -66,6 +66,7 @@ impl Planner<'_> {
         for (e, samples) in self.pixels() {
             ladder.add(e.variance, samples, self.convergence);
         }
+        ladder.climb(self.convergence);
         let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t));
         let mut chosen: Vec<(usize, usize, Task)> = Vec::new();
         let mut rest: Vec<usize> = Vec::new();
@@ -143,37 +144,62 @@ fn gain(variance: f32, count: u32, samples: &Samples, convergence: &Convergence)
 
 /// Doublings of all pixels by what they gain: rungs a quarter of an octave apart, the best first.
 struct Ladder {
+    /// By level and rung of the first doubling of a pixel: how many there are, and their errors.
+    first: Vec<(f64, f64)>,
     samples: Vec<f64>,
     variance: Vec<f64>,
 }
 
 impl Ladder {
-    const RUNGS: usize = 400;
-    /// A squared error of 3 (black for white) is on the highest rung whatever its price.
-    const HIGHEST: f32 = 16.0;
+    const RUNGS: usize = 256;
+    const PER_OCTAVE: f32 = 4.0;
 
     fn new() -> Self {
-        Self { samples: vec![0.0; Self::RUNGS], variance: vec![0.0; Self::RUNGS] }
+        Self {
+            first: vec![(0.0, 0.0); LEVELS * Self::RUNGS],
+            samples: vec![0.0; Self::RUNGS],
+            variance: vec![0.0; Self::RUNGS],
+        }
     }
 
+    /// A gain of 4 or more is on the first rung, and a gain below 2^-61 on the last. Quarters of an octave
+    /// are told by the two highest bits of the fraction.
     fn rung(gain: f32) -> usize {
-        let quarters = Self::HIGHEST - 4.0 * gain.max(f32::MIN_POSITIVE).log2();
-        (quarters.max(0.0) as usize).min(Self::RUNGS - 1)
+        const HIGHEST: u32 = (4.0f32.to_bits()) >> 21;
+        HIGHEST.saturating_sub(gain.max(f32::MIN_POSITIVE).to_bits() >> 21).min(Self::RUNGS as u32 - 1)
+            as usize
     }
 
-    /// The doublings of one pixel from now on.
-    fn add(&mut self, mut variance: f32, samples: &Samples, convergence: &Convergence) {
-        let mut count = samples.count;
-        while count < MAX_COUNT {
-            let rung = Self::rung(gain(variance, count, samples, convergence));
-            if rung == Self::RUNGS - 1 {
-                break;
+    /// The first doubling of one pixel.
+    fn add(&mut self, variance: f32, samples: &Samples, convergence: &Convergence) {
+        let rung = Self::rung(gain(variance, samples.count, samples, convergence));
+        let entry = &mut self.first[level(samples.count) * Self::RUNGS + rung];
+        entry.0 += 1.0;
+        entry.1 += f64::from(variance);
+    }
+
+    /// All further doublings.
+    fn climb(&mut self, convergence: &Convergence) {
+        let ratio = |level: usize| f64::from(convergence.ratio[level]);
+        for l in 0..LEVELS {
+            for r in 0..Self::RUNGS - 1 {
+                let (pixels, mut variance) = self.first[l * Self::RUNGS + r];
+                if pixels == 0.0 {
+                    continue;
+                }
+                let mut below = 0.0;
+                for k in l..level(MAX_COUNT) {
+                    let rung = r + (below * f64::from(Self::PER_OCTAVE)).round() as usize;
+                    if rung >= Self::RUNGS - 1 {
+                        break;
+                    }
+                    self.samples[rung] += pixels * 2f64.powi(k as i32);
+                    self.variance[rung] += variance * (1.0 - ratio(k));
+                    // The next doubling has this share of the error to take away, for twice the samples.
+                    variance *= ratio(k);
+                    below -= (0.5 * ratio(k) * (1.0 - ratio(k + 1)) / (1.0 - ratio(k))).log2();
+                }
             }
-            let ratio = convergence.ratio[level(count)];
-            self.samples[rung] += f64::from(count);
-            self.variance[rung] += f64::from(variance * (1.0 - ratio));
-            variance *= ratio;
-            count *= 2;
         }
     }
 
@@ -206,14 +232,26 @@ mod tests {
     #[test]
     fn the_ladder_holds_all_doublings_of_a_pixel() {
         let mut ladder = Ladder::new();
-        ladder.add(1.0, &samples(1), &Convergence::default());
+        let convergence = Convergence::default();
+        ladder.add(1.0, &samples(1), &convergence);
+        ladder.climb(&convergence);
         let first = Ladder::rung(0.71);
         let second = Ladder::rung(0.29 * 0.69 / 2.0);
-        assert_eq!((ladder.samples[first], ladder.samples[second]), (1.0, 2.0));
+        assert!(first < second);
+        assert_eq!(ladder.samples[first], 1.0);
         assert!((ladder.variance[first] - 0.71).abs() < 1e-6);
-        assert!((ladder.variance[second] - 0.29 * 0.69).abs() < 1e-6);
+        let next = (first + 1..Ladder::RUNGS).find(|&r| ladder.samples[r] > 0.0).unwrap();
+        assert!(next.abs_diff(second) <= 1, "{next} {second}");
+        assert_eq!(ladder.samples[next], 2.0);
+        assert!((ladder.variance[next] - 0.29 * 0.69).abs() < 1e-6);
         assert_eq!(ladder.cut(10.0, Some(0.7)), first);
-        assert_eq!(ladder.cut(10.0, Some(0.8)), second);
+        assert_eq!(ladder.cut(10.0, Some(0.8)), next);
+    }
+
+    #[test]
+    fn rungs_are_quarters_of_octaves() {
+        assert_eq!([100.0, 4.0, 2.0, 1.0].map(Ladder::rung), [0, 0, 4, 8]);
+        assert_eq!(Ladder::rung(0.0), Ladder::RUNGS - 1);
     }
 
     /// Of two equal pixels the one whose samples cost twice the rays is worth half.

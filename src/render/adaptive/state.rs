@@ -2,7 +2,8 @@
 
 use super::calibration::{Calibration, Measured};
 use super::coarse::stand_ins;
-use super::estimate::{Convergence, Expected, Slope, level, survey};
+use super::convergence::{Convergence, level};
+use super::estimate::{Expected, Slope, Survey};
 use super::locality::{Locality, Shown};
 use super::order;
 use super::plan::{Planner, Task};
@@ -34,6 +35,7 @@ pub struct State<'a, S> {
     tally: Tally,
     /// The last doubling of each pixel.
     shown: Vec<Shown>,
+    survey: Survey,
     calibration: Calibration,
     convergence: Convergence,
     samples: u64,
@@ -58,15 +60,17 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         clock: &'a dyn Clock,
         samplers: Vec<Mutex<S>>,
     ) -> Self {
+        let tally = Tally::new(settings.region);
         State {
+            survey: Survey::new(&tally),
+            shown: vec![Shown::default(); tally.pixels.len()],
+            tally,
             settings,
             pool,
             picture,
             observer,
             clock,
             samplers,
-            tally: Tally::new(settings.region),
-            shown: vec![Shown::default(); settings.region.pixels() as usize],
             calibration: Calibration::default(),
             convergence: Convergence::default(),
             samples: 0,
@@ -105,7 +109,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             let rmse = self.rmse(total);
             self.observer.surveyed(self.samples, rmse);
             if self.settings.target.is_some_and(|target| rmse <= target) {
-                self.finish(&expected);
+                self.finish();
                 return (Ended::Converged, Some(rmse));
             }
             let tasks = self.plan(&expected, total);
@@ -116,7 +120,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             };
             if let Some(ended) = ended {
                 self.foresee(&mut expected, &tasks);
-                self.finish(&expected);
+                self.finish();
                 return (ended, Some(self.rmse(self::total(&expected))));
             }
             self.rounds += 1;
@@ -146,11 +150,15 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     /// Corrected expectations of all pixels.
     fn survey(&mut self) -> Vec<Expected> {
         self.convergence = self.calibration.convergence();
-        let offset = |i: usize| self.sequence(i).offset(0);
-        let (light, convergence) = (&self.settings.light, &self.convergence);
-        let mut expected = self.pool.install(|| survey(&self.tally, light, convergence, offset));
+        let (tally, seed) = (&self.tally, self.settings.seed);
+        let offset = |i: usize| {
+            let (x, y) = tally.place(i);
+            Sequence::new(x, y, seed).offset(0)
+        };
+        let (light, convergence, survey) = (&self.settings.light, &self.convergence, &mut self.survey);
+        let mut expected = self.pool.install(|| survey.look(tally, light, convergence, offset));
         if self.rounds == 0 {
-            for surprise in expected.iter().filter_map(|e| e.surprise) {
+            for surprise in self.survey.surprises() {
                 self.calibration.record_surprise(self.convergence.error_from_jump(0, surprise));
             }
         }
@@ -187,7 +195,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             fits
         });
         let within = within.count();
-        let found = self.trace(&tasks[..within]);
+        let found = self.trace(&tasks[..within], self.chunk(tasks));
         let done = found.len();
         for (task, found) in tasks.iter().zip(&found) {
             self.merge(task, found);
@@ -211,7 +219,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let old = &mut self.tally.pixels[task.pixel as usize];
         if old.count > 0 {
             let (from, to) = (old.count, old.count + found.samples.count);
-            let shift = shift(&sequence, 0..from, from..to, &task.slope);
+            let shift = shift(&sequence, 0..from, from..to, &self.survey.around[task.pixel as usize].slope);
             let (a, b) = (old.pixel(), found.samples.pixel());
             let jump = squared_distance(&self.settings.light, &a, &b, shift);
             let error = self.convergence.error_from_jump(level(old.count), jump);
@@ -226,14 +234,20 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         }
         self.samples += u64::from(found.samples.count);
         *old = old.join(&found.samples);
+        self.survey.touch(task.pixel as usize);
+    }
+
+    /// How many of a round's tasks a thread takes on at a time.
+    fn chunk(&self, tasks: &[Task]) -> usize {
+        let new: u64 =
+            tasks.iter().map(|t| u64::from(t.to - self.tally.pixels[t.pixel as usize].count)).sum();
+        (CHUNK * tasks.len()).checked_div(new as usize).unwrap_or(1).clamp(1, CHUNK)
     }
 
     /// The results of the first so many tasks: of all, unless time is up. Tasks are begun in order and what
-    /// is begun is finished, so that nothing is missing in between.
-    fn trace(&self, tasks: &[Task]) -> Vec<Found> {
-        let new: u64 =
-            tasks.iter().map(|t| u64::from(t.to - self.tally.pixels[t.pixel as usize].count)).sum();
-        let chunk = (CHUNK * tasks.len()).checked_div(new as usize).unwrap_or(1).clamp(1, CHUNK);
+    /// is begun is finished, so that nothing is missing in between. What samplers keep from sample to sample
+    /// depends on the chunk alone.
+    fn trace(&self, tasks: &[Task], chunk: usize) -> Vec<Found> {
         let next = AtomicUsize::new(0);
         let results: Mutex<Vec<(usize, Vec<Found>)>> = Mutex::new(Vec::new());
         self.pool.broadcast(|thread| {
@@ -243,6 +257,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
                 let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
                 let tasks = &tasks[..tasks.len().min(chunk)];
                 let before = sampler.rays();
+                sampler.begin_block((self.rounds as usize) << 20 ^ first / chunk);
                 let found: Vec<Found> = tasks.iter().map(|t| self.sample(t, &mut sampler)).collect();
                 self.show(tasks, &found, sampler.rays() - before);
                 results.lock().expect("threads do not panic").push((first, found));
@@ -303,14 +318,14 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     }
 
     /// The final picture.
-    fn finish(&self, expected: &[Expected]) {
+    fn finish(&self) {
         let mut picture = self.picture.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        for (i, (samples, e)) in self.tally.pixels.iter().zip(expected).enumerate() {
+        for (i, (samples, around)) in self.tally.pixels.iter().zip(&self.survey.around).enumerate() {
             let (x, y) = self.tally.place(i);
             let mut pixel = samples.pixel();
             if samples.count <= CENTRED {
                 let at = middle(&self.sequence(i), 0..samples.count);
-                pixel = centred(&pixel, &e.slope, at, &self.settings.light);
+                pixel = centred(&pixel, &around.slope, at, &self.settings.light);
             }
             picture.set(x, y, pixel);
         }
@@ -346,7 +361,7 @@ fn shift(sequence: &Sequence, a: Range<u32>, b: Range<u32>, slope: &Slope) -> [f
         return [0.0; 3];
     }
     let (a, b) = (middle(sequence, a), middle(sequence, b));
-    slope.map(|s| s[0] * (b[0] - a[0]) + s[1] * (b[1] - a[1]))
+    (slope[0] * (b[0] - a[0]) + slope[1] * (b[1] - a[1])).to_array()
 }
 
 /// A mean moved from where its samples lie to the pixel's centre. The slope is one of light.
@@ -354,9 +369,9 @@ fn centred(pixel: &Pixel, slope: &Slope, at: [f32; 2], light: &Light) -> Pixel {
     /// Over which light's own rise is measured.
     const STEP: f32 = 1.0 / 256.0;
     let mut channels = pixel.rgb.to_array();
-    for (c, s) in channels.iter_mut().zip(slope) {
+    let shifts = (slope[0] * at[0] + slope[1] * at[1]).to_array();
+    for (c, shift) in channels.iter_mut().zip(shifts) {
         let rise = (light.of(*c + STEP) - light.of(*c - STEP)) / (2.0 * STEP);
-        let shift = s[0] * at[0] + s[1] * at[1];
         // Where light hardly follows the working value (beyond white), neither does the slope.
         if rise > STEP {
             *c -= (shift / rise).clamp(-0.5 * c.abs(), 0.5 * c.abs());
