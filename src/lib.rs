@@ -19,4 +19,5 @@ pub mod shape;
 pub mod source;
 pub mod syntax;
 pub mod trace;
+pub mod trade;
 pub mod world;

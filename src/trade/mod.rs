@@ -1,0 +1,166 @@
+//! What each setting costs in time, and what error it leaves: the trade, measured on a scene.
+//!
+//! [`sweep`] renders a converged reference and then the scene over a grid of settings, [`front`] tells which
+//! of them are beaten by none, [`report`] draws the result. The scene is a [`Subject`] and time is a
+//! [`Stopwatch`], so that all of this is tested on known pictures and an invented clock.
+
+pub mod front;
+mod grid;
+pub mod report;
+pub mod sweep;
+
+pub use grid::{Axes, Axis, grid};
+
+use crate::picture::light::Light;
+use crate::picture::{Encoding, Picture};
+use crate::render::Method;
+use crate::render::adaptive::Clock;
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+
+/// How pixels are sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sampling {
+    /// One sample in the middle of each pixel.
+    Centre,
+    /// Methods 1 and 2.
+    Fixed { method: Method, threshold: f32, depth: u32 },
+    /// Until the picture is expected to have this RMSE in light.
+    Adaptive { max_error: f64 },
+}
+
+/// One way to render the scene. What is `None` is left as the scene has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knobs {
+    pub sampling: Sampling,
+    pub trace_level: Option<u32>,
+    pub adc_bailout: Option<f32>,
+    /// Lamps of an area light that one sample tests.
+    pub area_samples: Option<u32>,
+}
+
+impl Knobs {
+    pub fn new(sampling: Sampling) -> Self {
+        Self { sampling, trace_level: None, adc_bailout: None, area_samples: None }
+    }
+
+    /// The options of `glint render` that stand for them.
+    pub fn words(&self) -> Vec<String> {
+        let mut words = match self.sampling {
+            Sampling::Centre => Vec::new(),
+            Sampling::Fixed { method, threshold, depth } => vec![
+                format!("-A={threshold}"),
+                format!("--aa-method={}", method.number()),
+                format!("--aa-depth={depth}"),
+            ],
+            Sampling::Adaptive { max_error } => vec![format!("--max-error={max_error}")],
+        };
+        words.extend(self.trace_level.map(|l| format!("--trace-level={l}")));
+        words.extend(self.adc_bailout.map(|b| format!("--adc-bailout={b}")));
+        words.extend(self.area_samples.map(|n| format!("--area-samples={n}")));
+        words
+    }
+
+    /// For people.
+    pub fn name(&self) -> String {
+        let mut name = match self.sampling {
+            Sampling::Centre => "no anti-aliasing".to_owned(),
+            Sampling::Fixed { method, threshold, depth } => {
+                format!("method {}, threshold {threshold}, depth {depth}", method.number())
+            }
+            Sampling::Adaptive { max_error } => format!("adaptive, error {max_error}"),
+        };
+        for (what, value) in [
+            ("trace level", self.trace_level.map(|l| l.to_string())),
+            ("adc_bailout", self.adc_bailout.map(|b| b.to_string())),
+            ("area samples", self.area_samples.map(|n| n.to_string())),
+        ] {
+            if let Some(value) = value {
+                name.push_str(&format!(", {what} {value}"));
+            }
+        }
+        name
+    }
+}
+
+impl Serialize for Knobs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        match self.sampling {
+            Sampling::Centre => map.serialize_entry("aa_method", "none")?,
+            Sampling::Fixed { method, threshold, depth } => {
+                map.serialize_entry("aa_method", &method.number().to_string())?;
+                map.serialize_entry("threshold", &threshold)?;
+                map.serialize_entry("depth", &depth)?;
+            }
+            Sampling::Adaptive { max_error } => {
+                map.serialize_entry("aa_method", "adaptive")?;
+                map.serialize_entry("max_error", &max_error)?;
+            }
+        }
+        if let Some(level) = self.trace_level {
+            map.serialize_entry("trace_level", &level)?;
+        }
+        if let Some(bailout) = self.adc_bailout {
+            map.serialize_entry("adc_bailout", &bailout)?;
+        }
+        if let Some(samples) = self.area_samples {
+            map.serialize_entry("area_samples", &samples)?;
+        }
+        map.end()
+    }
+}
+
+/// Width and height of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Size {
+    pub width: u32,
+    pub height: u32,
+}
+
+impl Size {
+    pub fn pixels(&self) -> f64 {
+        f64::from(self.width) * f64::from(self.height)
+    }
+}
+
+/// A picture that stands for the truth.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    pub picture: Picture,
+    pub samples: u64,
+    /// RMSE in light that it is expected to have.
+    pub rmse: f64,
+}
+
+/// A scene that can be rendered in different ways.
+pub trait Subject {
+    /// What there is to be varied.
+    fn axes(&self) -> Axes;
+
+    /// The picture, or `None` if it was not finished when the clock said `until`.
+    fn render(&self, size: Size, knobs: &Knobs, until: f64) -> Option<Picture>;
+
+    /// The scene as it is meant, sampled until its error is expected to be `target` or the clock says
+    /// `until`; with random numbers that no other picture has. `None` if not even one sample a pixel was
+    /// possible.
+    fn reference(&self, size: Size, target: f64, until: f64) -> Option<Reference>;
+
+    /// How the pictures' values relate to light.
+    fn light(&self) -> &Light;
+
+    /// How the pictures become files.
+    fn encoding(&self) -> Encoding;
+
+    /// The command line that renders with these knobs.
+    fn command(&self, size: Size, knobs: &Knobs) -> String;
+}
+
+/// A clock that also tells what the processors did.
+pub trait Stopwatch: Clock {
+    /// CPU seconds of all threads.
+    fn cpu_seconds(&self) -> f64;
+}
+
+#[cfg(test)]
+mod tests;
