@@ -1,5 +1,6 @@
 //! What was typed.
 
+use super::render::{parse_error, parse_seconds};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -90,7 +91,7 @@ pub struct PictureArgs {
     /// Height of the picture
     #[arg(short = 'H', long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=65535))]
     pub height: Option<u32>,
-    /// Anti-aliasing, from this difference of neighbours on [default threshold: 0.3]
+    /// Anti-aliasing; the smaller the threshold, the finer [default threshold: 0.3]
     #[arg(
         short = 'A',
         long = "antialias",
@@ -100,9 +101,9 @@ pub struct PictureArgs {
         default_missing_value = "0.3"
     )]
     pub antialias: Option<f32>,
-    /// 1 divides pixels by a fixed grid, 2 in quarters of quarters
-    #[arg(long, value_name = "1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
-    pub aa_method: u8,
+    /// How pixels are sampled [default: adaptive; 1 for crosscheck]
+    #[arg(long, value_name = "adaptive|1|2", hide_possible_values = true)]
+    pub aa_method: Option<AaMethod>,
     /// Samples along a pixel's side (method 1), or levels of division (method 2)
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=9))]
     pub aa_depth: u32,
@@ -115,6 +116,34 @@ pub struct PictureArgs {
     /// Threads that trace [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
+}
+
+/// How pixels are sampled.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AaMethod {
+    /// Samples go where they take most error away
+    Adaptive,
+    /// A fixed grid where neighbours differ, as in POV-Ray
+    #[value(name = "1")]
+    Grid,
+    /// Quarters of quarters where corners differ, as in POV-Ray
+    #[value(name = "2")]
+    Recursive,
+}
+
+/// How good a picture is to be, and what it may cost. Any of these makes sampling adaptive.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub struct AccuracyArgs {
+    /// Sample until the picture's error is expected to be no larger: an RMSE in light clipped to 0..1, or
+    /// decibels (40dB)
+    #[arg(long, value_name = "X", value_parser = parse_error)]
+    pub max_error: Option<f64>,
+    /// Make the best picture that can be finished in this time: 10, 10s, 1.5min
+    #[arg(long, value_name = "T", value_parser = parse_seconds)]
+    pub time_limit: Option<f64>,
+    /// Take no more samples for the whole picture
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_samples: Option<u64>,
 }
 
 /// Columns and rows `x0, y0, x1, y1`.
@@ -138,6 +167,8 @@ pub struct RenderArgs {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub picture: PictureArgs,
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Trace only columns x0 to x1-1 of rows y0 to y1-1, counted from 0 at the upper left; the picture

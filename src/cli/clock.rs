@@ -1,7 +1,24 @@
 //! What the process has cost so far.
 
+use crate::render::adaptive::Clock;
 use std::sync::Mutex;
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+/// Seconds since it was made.
+#[derive(Clone, Copy, Debug)]
+pub struct Wall(Instant);
+
+impl Wall {
+    pub fn start() -> Self {
+        Self(Instant::now())
+    }
+}
+
+impl Clock for Wall {
+    fn seconds(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+}
 
 /// CPU seconds of all threads of the process, since it began.
 pub fn cpu_seconds() -> f64 {

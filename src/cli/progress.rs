@@ -15,6 +15,8 @@ pub struct Canvas {
     total: u64,
     pixels: AtomicU64,
     rays: AtomicU64,
+    /// The bits of the error that is expected of the picture; none known while it is 0.
+    expected: AtomicU64,
     cancelled: AtomicBool,
 }
 
@@ -27,6 +29,7 @@ impl Canvas {
             total,
             pixels: AtomicU64::new(0),
             rays: AtomicU64::new(0),
+            expected: AtomicU64::new(0),
             cancelled: AtomicBool::new(false),
         }
     }
@@ -62,6 +65,11 @@ impl Canvas {
         self.rays.load(Ordering::Relaxed) as f64 / self.started.elapsed().as_secs_f64().max(1e-9)
     }
 
+    /// The RMSE in light that is expected of the picture, if sampling is adaptive and has got so far.
+    fn expected(&self) -> Option<f64> {
+        Some(f64::from_bits(self.expected.load(Ordering::Relaxed))).filter(|e| *e > 0.0)
+    }
+
     /// Seconds left if the rest is as hard as what has been traced.
     fn seconds_left(&self) -> Option<f64> {
         let done = self.pixels();
@@ -78,6 +86,10 @@ impl Observer for Canvas {
     fn block_done(&self, pixels: u64, rays: u64) {
         self.pixels.fetch_add(pixels, Ordering::Relaxed);
         self.rays.fetch_add(rays, Ordering::Relaxed);
+    }
+
+    fn surveyed(&self, _samples: u64, rmse: f64) {
+        self.expected.store(rmse.to_bits(), Ordering::Relaxed);
     }
 }
 
@@ -132,6 +144,9 @@ impl Display {
 
 fn message(canvas: &Canvas) -> String {
     let rate = rays_per_second(canvas.rays_per_second());
+    if let Some(rmse) = canvas.expected() {
+        return format!("{rate}, error {rmse:.4}");
+    }
     match canvas.seconds_left() {
         Some(left) => format!("{rate}, {} left", duration(left)),
         None => rate,

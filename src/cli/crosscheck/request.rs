@@ -1,4 +1,4 @@
-use crate::cli::args::PictureArgs;
+use crate::cli::args::{AaMethod, PictureArgs};
 use crate::cli::exit::Failure;
 use std::path::{Path, PathBuf};
 
@@ -35,7 +35,8 @@ impl Request {
             width: picture.width.unwrap_or(DEFAULT_SIZE.0),
             height: picture.height.unwrap_or(DEFAULT_SIZE.1),
             antialias: picture.antialias,
-            aa_method: picture.aa_method,
+            // POV-Ray knows no other method: adaptive sampling is compared with its method 1.
+            aa_method: if picture.aa_method == Some(AaMethod::Recursive) { 2 } else { 1 },
             aa_depth: picture.aa_depth,
             jitter: picture.antialias.is_some() && picture.jitter == "on",
             quality: picture.quality,

@@ -91,6 +91,7 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
         height,
         region: region(settings, width, height)?,
         antialias: antialias(settings),
+        accuracy: None,
         block_size: settings
             .int("Render_Block_Size")
             .unwrap_or(32)
@@ -102,6 +103,7 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
         quiet: !settings.flag("All_Console", true),
         partial: false,
         pool: pool(threads)?,
+        command: Vec::new(),
         counted: Mutex::new(0.0),
     })
 }
@@ -176,6 +178,7 @@ fn tasks(settings: &Settings) -> Result<Vec<Task>, Failure> {
             interp: interp::Options { frame, ..options.interp.clone() },
             ..options.clone()
         },
+        siblings: [].into(),
     };
     Ok(frames.into_iter().map(task).collect())
 }

@@ -1,13 +1,16 @@
 //! One scene from text to file, with the time that each part takes.
 
+use super::accuracy::{Accuracy, Reached};
 use super::plan::Plan;
 use super::report::RenderReport;
-use crate::cli::clock::{Lap, peak_rss_bytes};
+use crate::cli::clock::{Lap, Wall, peak_rss_bytes};
 use crate::cli::exit::Failure;
 use crate::cli::output::Target;
 use crate::cli::progress::Canvas;
 use crate::cli::scene;
+use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture, PictureError};
+use crate::render::adaptive::{self, Clock};
 use crate::render::{pretrace, render};
 use crate::trace::{Counters, Tracer};
 use crate::world::World;
@@ -48,6 +51,19 @@ pub struct Task {
     pub scene: PathBuf,
     pub target: Target,
     pub options: scene::Options,
+    /// All scenes of the batch.
+    pub siblings: Arc<[PathBuf]>,
+}
+
+impl Task {
+    /// The command line that does this task alone: other scenes' names are left out.
+    fn command(&self, words: &[String]) -> Vec<String> {
+        let others = |w: &&String| {
+            let path = PathBuf::from(w);
+            path == self.scene || !self.siblings.contains(&path)
+        };
+        words.iter().filter(others).cloned().collect()
+    }
 }
 
 /// A task being done.
@@ -68,7 +84,7 @@ impl<'a> Job<'a> {
     }
 
     pub fn run(&self) -> Result<RenderReport, Failure> {
-        let wall = Instant::now();
+        let wall = Wall::start();
         let mut lap = Lap::new(&self.plan.counted);
         let parsed = scene::parse(&self.task.scene, &self.task.options, self.plan.quiet)?;
         let parse_cpu_s = lap.next();
@@ -76,7 +92,10 @@ impl<'a> Job<'a> {
         let prepare_cpu_s = lap.next();
         let traced = Instant::now();
         let live = self.start(&world);
-        let counters = self.trace(&world, &live);
+        let (counters, adaptive) = match self.plan.accuracy {
+            None => (self.trace(&world, &live), None),
+            Some(accuracy) => self.trace_adaptively(&world, &live, &accuracy, &wall),
+        };
         let (trace_cpu_s, trace_wall_s) = (lap.next(), traced.elapsed().as_secs_f64());
         if live.canvas.was_cancelled() {
             return Err(Failure::interrupted(live.leave()));
@@ -94,13 +113,14 @@ impl<'a> Job<'a> {
             trace_cpu_s,
             write_cpu_s,
             process_cpu_s: lap.total(),
-            wall_s: wall.elapsed().as_secs_f64(),
+            wall_s: wall.seconds(),
             trace_wall_s,
             camera_rays: counters.camera_rays,
             shadow_rays: counters.shadow_rays,
             reflected_rays: counters.reflected_rays,
             refracted_rays: counters.refracted_rays,
             peak_rss_bytes: peak_rss_bytes(),
+            adaptive,
             warnings: parsed.warnings,
             unsupported: parsed.unsupported,
         })
@@ -122,12 +142,45 @@ impl<'a> Job<'a> {
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let canvas = &live.canvas;
         let pool = &self.plan.pool;
-        let (lighting, mut total) = pretrace(world, &settings, &rendering, pool, canvas);
+        let (lighting, counters) = pretrace(world, &settings, &rendering, pool, canvas);
         let sampler = || Tracer::lit(world, &settings, lighting.as_ref());
         let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
-        for tracer in &tracers {
-            total += tracer.counters();
-        }
-        total
+        total(counters, &tracers)
     }
+
+    fn trace_adaptively(
+        &self,
+        world: &World,
+        live: &Live,
+        accuracy: &Accuracy,
+        wall: &Wall,
+    ) -> (Counters, Option<Reached>) {
+        let settings = self.plan.trace_settings();
+        let rendering = self.plan.settings(world.scene.globals.gamma);
+        let late = accuracy.time_limit.map(|limit| limit - writing_seconds(self.plan));
+        let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
+        let (pool, canvas) = (&self.plan.pool, &live.canvas);
+        let (lighting, counters) = pretrace(world, &settings, &rendering, pool, canvas);
+        let tracer = || Tracer::lit(world, &settings, lighting.as_ref());
+        let outcome = adaptive::render(&sampling, pool, &canvas.picture, canvas, wall, tracer);
+        let words = self.task.command(&self.plan.command);
+        let reached = Reached::new(&outcome, self.plan.region, &words);
+        (total(counters, &outcome.samplers), Some(reached))
+    }
+}
+
+/// About how long it takes to encode and write a picture.
+fn writing_seconds(plan: &Plan) -> f64 {
+    /// Of a compressed PNG file, measured with a margin.
+    const PER_PIXEL: f64 = 1.5e-7;
+    const AT_LEAST: f64 = 0.005;
+    let channels = f64::from(plan.bits) / 8.0;
+    AT_LEAST + PER_PIXEL * channels * f64::from(plan.width) * f64::from(plan.height)
+}
+
+fn total(mut total: Counters, tracers: &[Tracer]) -> Counters {
+    for tracer in tracers {
+        total += tracer.counters();
+    }
+    total
 }

@@ -1,28 +1,35 @@
 //! `glint render`: scenes to pictures, one after the other.
 
+mod accuracy;
 mod job;
 mod monitor;
 mod plan;
 mod report;
 
+pub use accuracy::{parse_error, parse_seconds};
 pub use job::Task;
 pub use plan::{Plan, pool};
+
+use accuracy::Reached;
 
 use super::args::RenderArgs;
 use super::exit::{Exit, Failure};
 use super::output::{self, Target};
 use super::scene::Options;
 use super::{interrupt, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     check(args)?;
     let plan = Plan::new(args)?;
     let mut options = Options::new(&args.scene, plan.width, plan.height)?;
     options.interp.output_alpha = args.alpha;
+    let siblings: Arc<[PathBuf]> = args.scenes.clone().into();
     let task = |scene: &Path| {
         let target = Target::new(scene, args.output.as_deref())?;
-        Ok(Task { scene: scene.to_owned(), target, options: options.clone() })
+        let siblings = siblings.clone();
+        Ok(Task { scene: scene.to_owned(), target, options: options.clone(), siblings })
     };
     let tasks = args.scenes.iter().map(|s| task(s)).collect::<Result<Vec<_>, Failure>>()?;
     run_all(&plan, &tasks, args.json)
@@ -40,6 +47,7 @@ pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failu
                 }
                 if !plan.quiet {
                     eprintln!("{}", report.line());
+                    report.adaptive.iter().flat_map(Reached::notes).for_each(|note| eprintln!("{note}"));
                 }
             }
             Err(failure) if failure.exit == Exit::Interrupted => return Err(failure),

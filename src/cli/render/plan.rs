@@ -1,6 +1,7 @@
 //! Everything that was asked for, the same for all scenes of a batch.
 
-use crate::cli::args::{Corners, PictureArgs, RenderArgs};
+use super::accuracy::Accuracy;
+use crate::cli::args::{AaMethod, Corners, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
 use crate::picture::{Encoding, FileGamma};
@@ -18,8 +19,10 @@ pub struct Plan {
     pub width: u32,
     pub height: u32,
     pub region: Region,
-    /// The scene's gamma comes with the scene.
+    /// Methods 1 and 2; the scene's gamma comes with the scene.
     pub antialias: Option<Antialias>,
+    /// Adaptive sampling.
+    pub accuracy: Option<Accuracy>,
     pub block_size: u32,
     pub quality: u8,
     pub alpha: bool,
@@ -28,6 +31,8 @@ pub struct Plan {
     pub quiet: bool,
     pub partial: bool,
     pub pool: rayon::ThreadPool,
+    /// The words of the command line.
+    pub command: Vec<String>,
     /// CPU seconds of the process at the end of the scene before.
     pub counted: Mutex<f64>,
 }
@@ -41,6 +46,7 @@ impl Plan {
             height,
             region: region(args.region, width, height)?,
             antialias: antialias(p),
+            accuracy: Accuracy::of(p, &args.accuracy)?,
             block_size: Settings::BLOCK_SIZE,
             quality: p.quality.min(9),
             alpha: args.alpha,
@@ -49,6 +55,7 @@ impl Plan {
             quiet: args.quiet,
             partial: args.partial,
             pool: pool(p.threads.map(usize::from))?,
+            command: std::env::args_os().map(|w| w.to_string_lossy().into_owned()).collect(),
             counted: Mutex::new(0.0),
         })
     }
@@ -81,7 +88,7 @@ pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
 }
 
 fn antialias(p: &PictureArgs) -> Option<Antialias> {
-    let method = if p.aa_method == 2 { Method::Recursive } else { Method::Grid };
+    let method = if p.aa_method == Some(AaMethod::Recursive) { Method::Recursive } else { Method::Grid };
     p.antialias.map(|threshold| Antialias {
         threshold,
         depth: p.aa_depth,

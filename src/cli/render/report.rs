@@ -1,3 +1,4 @@
+use super::accuracy::Reached;
 use crate::cli::progress;
 use serde::Serialize;
 
@@ -23,6 +24,8 @@ pub struct RenderReport {
     pub reflected_rays: u64,
     pub refracted_rays: u64,
     pub peak_rss_bytes: u64,
+    /// What adaptive sampling came to; null for other methods.
+    pub adaptive: Option<Reached>,
     pub warnings: Vec<String>,
     pub unsupported: Vec<String>,
 }
@@ -31,8 +34,9 @@ impl RenderReport {
     /// The line on stderr.
     pub fn line(&self) -> String {
         let rays = self.camera_rays + self.shadow_rays + self.reflected_rays + self.refracted_rays;
+        let reached = self.adaptive.as_ref().map_or(String::new(), |r| format!("; {}", r.text()));
         format!(
-            "{} -> {} ({}x{}): parse {:.3} s, prepare {:.3} s, trace {:.3} s, write {:.3} s of CPU; {}",
+            "{} -> {} ({}x{}): parse {:.3} s, prepare {:.3} s, trace {:.3} s, write {:.3} s of CPU; {}{reached}",
             self.scene,
             self.output,
             self.width,
