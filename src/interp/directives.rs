@@ -370,6 +370,9 @@ impl Parser {
 
     /// `(condition)`.
     fn condition_in_parens(&mut self) -> Result<bool> {
+        if let Some(value) = self.fast_condition() {
+            return Ok(value.abs() > TINY);
+        }
         self.expect_punct(Punct::LeftParen)?;
         let value = self.condition()?;
         self.expect_punct(Punct::RightParen)?;

@@ -4,7 +4,7 @@ use super::evaluate::run;
 use super::program::{Level, Program, compile};
 use super::stream::Source;
 use super::{Parser, parser::Ahead};
-use crate::syntax::Token;
+use crate::syntax::{Punct, Tok, Token};
 use std::cell::{Cell, OnceCell};
 use std::ops::Index;
 
@@ -72,6 +72,65 @@ impl Parser {
             number => number,
         };
         self.run_program((number - PROGRAM) as usize, level)
+    }
+
+    /// `X = expression;` in kept text, where X is a number already and a program gives the value: done in one
+    /// step. False if it is anything else; nothing is taken then.
+    #[inline]
+    pub(super) fn fast_assignment(&mut self, local: bool) -> bool {
+        let Some(frame) = self.frames.last_mut() else { return false };
+        let start = frame.at;
+        if matches!(frame.source, Source::File { .. }) || start + 3 > frame.end || self.has_ahead() {
+            return false;
+        }
+        let (name, equal) = (frame.text[start].tok, frame.text[start + 1].tok);
+        let (Tok::Identifier(name), Tok::Punct(Punct::Equal)) = (name, equal) else { return false };
+        frame.at = start + 2;
+        let done = self.deprecated.is_empty()
+            && self.symbols.is_plain_float(name, local)
+            && match self.compiled(Level::Additive) {
+                Some(value) => self.accept_kept(Punct::Semicolon) && self.symbols.set_float(name, value),
+                None => false,
+            };
+        if !done && let Some(frame) = self.frames.last_mut() {
+            frame.at = start;
+        }
+        done
+    }
+
+    /// `(condition)` in kept text, by a program. Nothing is taken if it is anything else.
+    #[inline]
+    pub(super) fn fast_condition(&mut self) -> Option<f64> {
+        if self.has_ahead() {
+            return None;
+        }
+        let frame = self.frames.last()?;
+        let start = frame.at;
+        if !self.accept_kept(Punct::LeftParen) {
+            return None;
+        }
+        let value = self.compiled(Level::Full);
+        if value.is_some() && self.accept_kept(Punct::RightParen) {
+            return value;
+        }
+        self.frames.last_mut()?.at = start;
+        None
+    }
+
+    /// Takes the next token of kept text if it is `punct`.
+    #[inline]
+    fn accept_kept(&mut self, punct: Punct) -> bool {
+        let Some(frame) = self.frames.last_mut() else { return false };
+        if matches!(frame.source, Source::File { .. }) || frame.at >= frame.end {
+            return false;
+        }
+        let token = frame.text[frame.at];
+        let found = token.tok == Tok::Punct(punct);
+        if found {
+            frame.at += 1;
+            self.last = token.span;
+        }
+        found
     }
 
     fn compile_at(&mut self, at: usize, level: Level) -> Option<u32> {

@@ -215,6 +215,10 @@ impl Parser {
         self.ahead = Ahead::Raw(token);
     }
 
+    pub(super) fn has_ahead(&self) -> bool {
+        !matches!(self.ahead, Ahead::None)
+    }
+
     /// Takes the next token.
     #[inline]
     pub fn next(&mut self) -> Result<Token> {

@@ -111,6 +111,30 @@ impl Symbols {
         }
     }
 
+    /// Whether a name is a number variable that an assignment would overwrite. `local`: one of the innermost
+    /// table.
+    #[inline]
+    pub fn is_plain_float(&self, symbol: Symbol, local: bool) -> bool {
+        match self.slots.get(symbol.0 as usize).and_then(|slot| slot.last()) {
+            Some(Entry { scope, binding: Binding::Value(Value::Float(_)) }) => {
+                !local || *scope == self.innermost()
+            }
+            _ => false,
+        }
+    }
+
+    /// Overwrites a number variable; false if it is none.
+    #[inline]
+    pub fn set_float(&mut self, symbol: Symbol, value: f64) -> bool {
+        match self.float_mut(symbol) {
+            Some(place) => {
+                *place = value;
+                true
+            }
+            None => false,
+        }
+    }
+
     #[inline]
     pub fn is_macro(&self, symbol: Symbol) -> bool {
         matches!(self.binding(symbol), Some(Binding::Macro(_)))

@@ -30,6 +30,9 @@ pub(in crate::interp) struct Target {
 impl Parser {
     /// `#declare ID = …` and `#local ID = …`, behind the word.
     pub(in crate::interp) fn declare_directive(&mut self, local: bool) -> Result<()> {
+        if self.fast_assignment(local) {
+            return Ok(());
+        }
         let deprecation = self.deprecation()?;
         let target = self.assignment_target()?;
         match deprecation {
