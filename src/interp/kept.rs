@@ -78,16 +78,18 @@ impl Parser {
     /// step. False if it is anything else; nothing is taken then.
     #[inline]
     pub(super) fn fast_assignment(&mut self, local: bool) -> bool {
+        if self.has_ahead() || !self.deprecated.is_empty() {
+            return false;
+        }
         let Some(frame) = self.frames.last_mut() else { return false };
         let start = frame.at;
-        if matches!(frame.source, Source::File { .. }) || start + 3 > frame.end || self.has_ahead() {
+        if matches!(frame.source, Source::File { .. }) || start + 3 > frame.end {
             return false;
         }
         let (name, equal) = (frame.text[start].tok, frame.text[start + 1].tok);
         let (Tok::Identifier(name), Tok::Punct(Punct::Equal)) = (name, equal) else { return false };
         frame.at = start + 2;
-        let done = self.deprecated.is_empty()
-            && self.symbols.is_plain_float(name, local)
+        let done = self.symbols.is_plain_float(name, local)
             && match self.compiled(Level::Additive) {
                 Some(value) => self.accept_kept(Punct::Semicolon) && self.symbols.set_float(name, value),
                 None => false,

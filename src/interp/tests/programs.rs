@@ -87,3 +87,37 @@ fn random_numbers_are_drawn_once_each() {
     let text = "#declare R=seed(1); #for (K,1,4) #debug concat(str(rand(R)*2+K*0,0,6),\" \") #end";
     assert_eq!(debug(text), "0.843986 0.974242 1.331792 1.951464 ");
 }
+
+/// Assignments and conditions in kept text take a short way where they can; it must do what the long one does.
+#[test]
+fn assignments_and_conditions_of_every_kind_in_kept_text() {
+    let cases = [
+        // A local of the macro hides the global name; `#declare` changes what is visible.
+        ("#declare G=0; #macro M() #local G=G+1; #declare G=G*2; #debug str(G,0,0) #end M() M() M()", "222"),
+        ("#declare G=1; #macro M() #declare G=G*2; #end M() M() M() #debug str(G,0,0)", "8"),
+        // A number becomes a vector and a number again.
+        (
+            "#declare A=1; #for (K,1,4) #declare A=A*2; #declare A=A*<1,2>; #declare A=A.y; #debug str(A,0,0) #end",
+            "41664256",
+        ),
+        // A missing value behind the first passes: an array takes the name.
+        (
+            "#declare S=\"\"; #declare A=0; #while (A<3) #declare A=A+1; #declare S=concat(S,\"i\"); #end #debug S",
+            "iii",
+        ),
+        // The condition's program ends where a comparison of strings begins.
+        (
+            "#declare S=\"b\"; #for (K,1,3) #if (S>\"a\") #debug \"y\" #end #if ((K>1)&(K<3)) #debug \"2\" #end #end",
+            "yy2y",
+        ),
+        // `#local` in a loop of the main text is global.
+        ("#for (K,1,3) #local L=K; #end #debug str(L,0,0)", "3"),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(debug(text), expected, "{text}");
+    }
+    assert!(super::error("#for (K,1,3) #declare A=K #end").contains(';'));
+    let said =
+        outcome("#declare deprecated \"old\" X=3; #declare Y=0; #for (K,1,3) #declare Y=X; #end").warnings;
+    assert_eq!(said.iter().filter(|w| w.message == "old").count(), 1);
+}
