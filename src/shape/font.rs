@@ -22,7 +22,7 @@ pub struct Letter {
 }
 
 /// The letters of `text` (16-bit units) in a line that begins at the origin; `offset` is added after each.
-/// Letters without an outline are left out. `None` if the font cannot be read.
+/// A blank has an empty outline. `None` if the font cannot be read.
 pub fn letters(font: &[u8], text: &[u16], offset: Vec2, charset: Charset) -> Option<Vec<Letter>> {
     let face = Face::parse(font, 0).ok()?;
     let em = 1.0 / f64::from(face.units_per_em());
@@ -55,9 +55,7 @@ pub fn letters(font: &[u8], text: &[u16], offset: Vec2, charset: Charset) -> Opt
         };
         pen += offset;
         previous = Some(id);
-        if !outline.segments.is_empty() {
-            letters.push(Letter { outline: outline.moved(place) });
-        }
+        letters.push(Letter { outline: outline.moved(place) });
     }
     Some(letters)
 }

@@ -35,6 +35,7 @@ impl Parser {
             } else {
                 break;
             }
+            self.comma()?;
         }
         match kind {
             None => {

@@ -98,7 +98,7 @@ impl Parser {
         Err(Box::new(Diagnostic::error(token.span, "there are cylinder cameras 1 to 4")))
     }
 
-    /// `{ rays per pixel, kind, [longest distance,] meshes }` without commas; read and left out.
+    /// `{ rays per pixel, kind, [longest distance,] meshes [smooth] }` without commas; read and left out.
     fn mesh_camera(&mut self, keyword: Token) -> Result<()> {
         self.expect_punct(Punct::LeftBrace)?;
         self.float()?;
@@ -107,8 +107,8 @@ impl Parser {
             self.float()?;
         }
         while self.object()?.is_some() {}
-        self.expect_punct(Punct::RightBrace)?;
         self.accept(Keyword::Smooth)?;
+        self.expect_punct(Punct::RightBrace)?;
         self.unsupported(keyword.span, "mesh_camera");
         Ok(())
     }

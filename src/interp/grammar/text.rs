@@ -3,8 +3,8 @@
 use crate::interp::{FileKind, Parser, Result};
 use crate::math::{Transform, Vec2, Vec3};
 use crate::scene::{Body, CsgOp, Object};
-use crate::shape::Glyph;
-use crate::shape::font::{Charset, letters};
+use crate::shape::font::{Charset, Letter, letters};
+use crate::shape::{Empty, Glyph, Shape};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Token};
 use std::sync::Arc;
@@ -42,9 +42,14 @@ impl Parser {
             let message = format!("`{}` is not a TrueType font", path.display());
             return Err(Box::new(Diagnostic::error(span, message)));
         };
-        let glyph = |letter: crate::shape::font::Letter| {
-            Arc::new(Object::new(Body::Shape(Arc::new(Glyph::new(letter.outline, thickness)))))
+        // A blank is an empty shape: the reference counts it as an object too.
+        let shape = |letter: Letter| -> Arc<dyn Shape> {
+            match letter.outline.is_empty() {
+                true => Arc::new(Empty::new("text")),
+                false => Arc::new(Glyph::new(letter.outline, thickness)),
+            }
         };
+        let glyph = |letter| Arc::new(Object::new(Body::Shape(shape(letter))));
         let children = letters.into_iter().map(glyph).collect();
         let mut object = Object::new(Body::Csg { op: CsgOp::Union, children: Arc::new(children) });
         object.apply(&Transform::rotate(Vec3::splat(TILT)));
