@@ -6,6 +6,7 @@
 mod cylinder;
 mod fisheye;
 mod lens;
+mod mesh;
 mod omnimax;
 mod orthographic;
 mod panoramic;
@@ -14,6 +15,7 @@ mod spherical;
 mod ultra_wide;
 
 pub use lens::Lens;
+pub use mesh::{Distribution, MeshCamera};
 
 use crate::material::{Normal, Pigment};
 use crate::math::{Ray, Transform, Vec3};
@@ -40,7 +42,7 @@ pub struct Camera {
     pub normal: Option<Arc<Normal>>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum CameraKind {
     Perspective,
     Orthographic,
@@ -51,6 +53,7 @@ pub enum CameraKind {
     /// 1: vertical axis, fixed viewpoint; 2: horizontal, fixed; 3 and 4: viewpoint moves along the axis.
     Cylinder(u8),
     Spherical,
+    Mesh(Arc<MeshCamera>),
 }
 
 /// Depth of field. Off unless both `aperture` and `max_samples` differ from 0.
@@ -117,8 +120,38 @@ struct View {
 impl Camera {
     /// The ray through (x, y) of a picture of `width` by `height` pixels; y runs down. `None` where the
     /// camera sees nothing.
-    pub fn ray(&self, x: f64, y: f64, (width, height): (f64, f64), context: &Context) -> Option<Ray> {
-        let view = self.view(x / width - 0.5, 0.5 - y / height)?;
+    pub fn ray(&self, x: f64, y: f64, size: (f64, f64), context: &Context) -> Option<Ray> {
+        self.nth_ray(0, x, y, size, context)
+    }
+
+    /// How many rays through one place make up its colour: their mean.
+    pub fn rays(&self) -> usize {
+        if let CameraKind::Mesh(mesh) = &self.kind { mesh.rays_per_pixel } else { 1 }
+    }
+
+    /// What a ray meets beyond this distance is not seen.
+    pub fn max_distance(&self) -> f64 {
+        if let CameraKind::Mesh(mesh) = &self.kind { mesh.max_distance } else { f64::INFINITY }
+    }
+
+    /// Ray number `k` of [`Camera::rays`] through (x, y).
+    pub fn nth_ray(
+        &self,
+        k: usize,
+        x: f64,
+        y: f64,
+        (width, height): (f64, f64),
+        context: &Context,
+    ) -> Option<Ray> {
+        let (s, t) = (x / width - 0.5, 0.5 - y / height);
+        let view = match &self.kind {
+            CameraKind::Mesh(mesh) => {
+                let along = (self.location.z, self.direction.z < 0.0);
+                let ray = mesh.ray(k, (x, y), (width, height), along)?;
+                View { origin: ray.origin, direction: ray.dir, at: (s, t) }
+            }
+            _ => self.view(s, t)?,
+        };
         let direction = view.direction.normalize();
         let direction = match &self.normal {
             Some(normal) => normal.perturb(direction, Vec3::new(view.at.0, view.at.1, 0.0), context),
@@ -127,6 +160,7 @@ impl Camera {
         direction.is_finite().then(|| Ray::new(view.origin, direction.normalize()))
     }
 
+    /// `None` for a mesh camera, whose rays do not hang on the place alone.
     fn view(&self, s: f64, t: f64) -> Option<View> {
         match self.kind {
             CameraKind::Perspective => Some(perspective::view(self, s, t)),
@@ -137,12 +171,17 @@ impl Camera {
             CameraKind::Panoramic => Some(panoramic::view(self, s, t)),
             CameraKind::Cylinder(number) => Some(cylinder::view(self, number, s, t)),
             CameraKind::Spherical => Some(spherical::view(self, s, t)),
+            CameraKind::Mesh(_) => None,
         }
     }
 
     /// Whether all rays start at one point.
     pub fn has_fixed_origin(&self) -> bool {
-        !self.blur.is_on() && !matches!(self.kind, CameraKind::Orthographic | CameraKind::Cylinder(3 | 4))
+        !self.blur.is_on()
+            && !matches!(
+                self.kind,
+                CameraKind::Orthographic | CameraKind::Cylinder(3 | 4) | CameraKind::Mesh(_)
+            )
     }
 
     /// Moves the camera.

@@ -177,6 +177,11 @@ pub trait Shape: Debug + Send + Sync {
     /// The shape's name in the scene language.
     fn kind(&self) -> &'static str;
 
+    /// The shape, if it is a mesh: cameras look from its faces.
+    fn as_mesh(&self) -> Option<&Mesh> {
+        None
+    }
+
     /// Bytes kept beyond the struct itself (meshes, height fields); for `explain`.
     fn heap_bytes(&self) -> usize {
         0

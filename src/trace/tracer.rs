@@ -149,7 +149,25 @@ impl<'w> Tracer<'w> {
         let size = (f64::from(self.settings.width), f64::from(self.settings.height));
         match self.lens.clone() {
             Some(lens) => self.blurred(&lens, (x, y), size),
+            None if self.world.scene.camera.rays() > 1 => self.averaged((x, y), size),
             None => self.seen_along(self.world.scene.camera.ray(x, y, size, &self.context)),
+        }
+    }
+
+    /// The mean over those of the camera's rays that it has here.
+    fn averaged(&mut self, (x, y): (f64, f64), size: (f64, f64)) -> Pixel {
+        let camera = &self.world.scene.camera;
+        let (mut sum, mut count) = (Pixel { rgb: Rgb::ZERO, transmit: 0.0 }, 0);
+        for k in 0..camera.rays() {
+            let Some(ray) = camera.nth_ray(k, x, y, size, &self.context) else { continue };
+            let seen = self.seen_along(Some(ray));
+            sum.rgb += seen.rgb;
+            sum.transmit += seen.transmit;
+            count += 1;
+        }
+        match count {
+            0 => self.seen_along(None),
+            n => Pixel { rgb: sum.rgb / n as f32, transmit: sum.transmit / n as f32 },
         }
     }
 
@@ -189,7 +207,9 @@ impl<'w> Tracer<'w> {
         }
         let inside = self.camera_interiors(&ray);
         let path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
-        self.trace(ray, path)
+        let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
+        let hit = self.world.nearest(&ray, range, path.class);
+        self.trace_from(ray, path, hit)
     }
 
     fn camera_interiors(&mut self, ray: &Ray) -> Interiors {

@@ -89,7 +89,7 @@ impl Geometry {
         let boxes: Vec<Aabb> = self.finite.iter().map(|&i| self.root_bounds[i as usize]).collect();
         let mut tree = Bvh::build(&boxes, Quality::Best);
         self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
-        tree.forget_order();
+        tree.take_order();
         self.tree = Some(tree);
     }
 

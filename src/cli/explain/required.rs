@@ -135,6 +135,7 @@ fn camera_kind(kind: &CameraKind) -> String {
         CameraKind::Panoramic => "panoramic",
         CameraKind::Cylinder(n) => return format!("cylinder {n}"),
         CameraKind::Spherical => "spherical",
+        CameraKind::Mesh(_) => "mesh_camera",
     }
     .to_owned()
 }

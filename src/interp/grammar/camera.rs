@@ -3,11 +3,13 @@
 //! From version 3.5 on items are collected and worked out at the end, whatever their order; before, each
 //! acts at once on one camera that all statements share.
 
-use crate::camera::{Camera, CameraKind};
+use crate::camera::{Camera, CameraKind, Distribution, MeshCamera};
 use crate::interp::{Parser, Result, Value};
 use crate::math::{Transform, Vec3};
+use crate::scene::Body;
 use crate::source::{Diagnostic, Span};
-use crate::syntax::{Keyword, Punct, Tok, Token};
+use crate::syntax::{Keyword, Punct, Tok};
+use std::sync::Arc;
 
 /// Lengths below count as none.
 const TINY: f64 = 1e-10;
@@ -80,7 +82,7 @@ impl Parser {
             }
             Keyword::MeshCamera => {
                 self.next()?;
-                self.mesh_camera(token)?;
+                camera.kind = CameraKind::Mesh(Arc::new(self.mesh_camera()?));
                 return Ok(true);
             }
             _ => return Ok(false),
@@ -98,18 +100,68 @@ impl Parser {
         Err(Box::new(Diagnostic::error(token.span, "there are cylinder cameras 1 to 4")))
     }
 
-    /// `{ rays per pixel, kind, [longest distance,] meshes [smooth] }` without commas; read and left out.
-    fn mesh_camera(&mut self, keyword: Token) -> Result<()> {
+    /// `{ rays per pixel, distribution [, max_distance] mesh … [smooth] }`.
+    fn mesh_camera(&mut self) -> Result<MeshCamera> {
         self.expect_punct(Punct::LeftBrace)?;
-        self.float()?;
-        self.float()?;
-        if !matches!(self.peek_value()?, Some(Value::Object(_))) && self.at_expression()? {
-            self.float()?;
+        let rays_at = self.peek()?.span;
+        let rays = self.float()?.max(0.0) as usize;
+        self.comma()?;
+        let distribution = self.mesh_distribution()?;
+        self.comma()?;
+        let mut camera = MeshCamera::new(distribution, rays);
+        if !matches!(self.peek()?.tok, Tok::Word(Keyword::Mesh | Keyword::Mesh2)) {
+            let reach = self.float()?;
+            self.comma()?;
+            camera.max_distance = if reach > 0.0 { reach } else { f64::INFINITY };
         }
-        while self.object()?.is_some() {}
-        self.accept(Keyword::Smooth)?;
+        self.camera_meshes(&mut camera)?;
+        let smooth = self.peek()?.span;
+        if self.accept(Keyword::Smooth)? {
+            let Distribution::Uv { smooth } = &mut camera.distribution else {
+                return Err(Box::new(Diagnostic::error(smooth, "`smooth` goes with distribution 3 alone")));
+            };
+            *smooth = true;
+        }
         self.expect_punct(Punct::RightBrace)?;
-        self.unsupported(keyword.span, "mesh_camera");
+        let most = match camera.distribution {
+            Distribution::Parallel => camera.mesh_count(),
+            Distribution::Serial => usize::MAX,
+            Distribution::Strips | Distribution::Uv { .. } => 1,
+        };
+        if rays == 0 || rays > most {
+            let text = format!("this mesh camera has between 1 and {most} rays per pixel");
+            return Err(Box::new(Diagnostic::error(rays_at, text)));
+        }
+        Ok(camera)
+    }
+
+    fn mesh_distribution(&mut self) -> Result<Distribution> {
+        let token = self.peek()?;
+        Ok(match self.float()? as i64 {
+            0 => Distribution::Parallel,
+            1 => Distribution::Serial,
+            2 => Distribution::Strips,
+            3 => Distribution::Uv { smooth: false },
+            _ => {
+                let text = "mesh cameras have distributions 0 to 3";
+                return Err(Box::new(Diagnostic::error(token.span, text)));
+            }
+        })
+    }
+
+    /// One `mesh` or `mesh2` at least.
+    fn camera_meshes(&mut self, camera: &mut MeshCamera) -> Result<()> {
+        while matches!(self.peek()?.tok, Tok::Word(Keyword::Mesh | Keyword::Mesh2)) {
+            let object = self.required_object()?;
+            if let Body::Shape(shape) = &object.body
+                && let Some(mesh) = shape.as_mesh()
+            {
+                camera.add(mesh, object.transform);
+            }
+        }
+        if camera.mesh_count() == 0 {
+            return Err(self.unexpected("`mesh` or `mesh2`"));
+        }
         Ok(())
     }
 
@@ -151,7 +203,7 @@ impl Parser {
     /// An angle in degrees; two for a spherical camera.
     fn camera_angle(&mut self, camera: &mut Camera, items: &mut Items, span: Span) -> Result<()> {
         let angle = self.float()?;
-        if camera.kind == CameraKind::Spherical {
+        if matches!(camera.kind, CameraKind::Spherical) {
             let height = if self.accept_punct(Punct::Comma)? || self.at_expression()? {
                 self.float()?
             } else {
@@ -159,7 +211,7 @@ impl Parser {
             };
             camera.vertical_angle = height.to_radians();
         }
-        if is_straight(camera.kind) {
+        if is_straight(&camera.kind) {
             items.angle = Some((angle, span));
         } else {
             camera.angle = angle.to_radians();
@@ -224,11 +276,17 @@ impl Parser {
             self.look_at(camera, target, span)?;
         }
         let scaled = !items.has_right_or_up || items.angle.is_some();
-        if camera.kind == CameraKind::Orthographic && scaled {
+        if matches!(camera.kind, CameraKind::Orthographic) && scaled {
             fit_orthographic(camera);
         }
         set_focus(camera, items, length);
         camera.apply(&items.transform);
+        if matches!(camera.kind, CameraKind::Mesh(_)) && camera.blur.is_on() {
+            let text = "a mesh camera has no lens: its focal blur is left out";
+            let token = self.peek()?;
+            self.warn(Diagnostic::warning(token.span, text));
+            camera.blur.aperture = 0.0;
+        }
         Ok(())
     }
 
@@ -275,7 +333,7 @@ impl Parser {
             return Err(self.unexpected("a camera item that version 3.1 has"));
         }
         if self.camera_kind(camera)? {
-            if camera.kind == CameraKind::Orthographic {
+            if matches!(camera.kind, CameraKind::Orthographic) {
                 fit_orthographic(camera);
             }
             return Ok(());
@@ -286,7 +344,7 @@ impl Parser {
             self.look_at(camera, target, span)?;
         }
         if let Some((angle, span)) = items.angle.take()
-            && camera.kind == CameraKind::Perspective
+            && matches!(camera.kind, CameraKind::Perspective)
         {
             set_angle(camera, angle, span)?;
         }
@@ -295,7 +353,7 @@ impl Parser {
     }
 }
 
-fn is_straight(kind: CameraKind) -> bool {
+fn is_straight(kind: &CameraKind) -> bool {
     matches!(kind, CameraKind::Perspective | CameraKind::Orthographic)
 }
 

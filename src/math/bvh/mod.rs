@@ -96,14 +96,14 @@ impl Bvh {
     }
 
     /// Primitive numbers in the order in which leaves hold them. A caller may store its primitives in this
-    /// order and then [`Bvh::forget_order`], which saves an indirection.
+    /// order and then [`Bvh::take_order`], which saves an indirection.
     pub fn order(&self) -> &[u32] {
         &self.order
     }
 
     /// From now on primitives are called by their place in [`Bvh::order`].
-    pub fn forget_order(&mut self) {
-        self.order = Vec::new();
+    pub fn take_order(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.order)
     }
 
     /// Calls `visit` with every primitive whose box contains `p`, until it returns true.

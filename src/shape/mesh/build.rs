@@ -69,10 +69,8 @@ impl MeshBuilder {
             faces,
             inside_vector: self.inside_vector.and_then(Vec3::try_normalize),
             kind: self.kind,
-            tree: {
-                tree.forget_order();
-                tree
-            },
+            numbers: tree.take_order(),
+            tree,
         }
     }
 

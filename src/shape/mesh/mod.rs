@@ -15,7 +15,7 @@
 //! between, so every crossing counts once.
 //!
 //! Faces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
-//! (mostly 6), about 11 for the tree, and as much again for each of normals and uvs that has indices of its
+//! (mostly 6), about 11 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
 //! own.
 //!
 //! Reference: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
@@ -42,6 +42,8 @@ pub struct Mesh {
     uv_corners: Indices,
     textures: Textures,
     tree: Bvh,
+    /// Where in the scene's list each face stood.
+    numbers: Vec<u32>,
     inside_vector: Option<Vec3>,
     kind: &'static str,
 }
@@ -90,7 +92,20 @@ impl Mesh {
         self.faces.len()
     }
 
-    fn corners(&self, face: usize) -> [Vec3; 3] {
+    /// Faces in the order in which the scene lists them; `None` for faces of a `mesh2` without area.
+    pub fn in_order(&self) -> Vec<Option<usize>> {
+        let length = self.numbers.iter().max().map_or(0, |&last| last as usize + 1);
+        let mut places = vec![None; length];
+        for (place, &number) in self.numbers.iter().enumerate() {
+            places[number as usize] = Some(place);
+        }
+        if self.kind == "mesh" {
+            places.retain(Option::is_some);
+        }
+        places
+    }
+
+    pub fn corners(&self, face: usize) -> [Vec3; 3] {
         self.faces[face].map(|v| wide(self.vertices[v as usize]))
     }
 
@@ -105,18 +120,31 @@ impl Mesh {
         Crossing { t, part: face, uv: Vec2::new(weights.y, weights.z) }
     }
 
-    fn flat_normal(&self, face: usize) -> Vec3 {
+    pub fn flat_normal(&self, face: usize) -> Vec3 {
         let [a, b, c] = self.corners(face);
         (c - a).cross(b - a).normalize_or(Vec3::Y)
     }
 
-    /// The interpolated normal; `None` on a flat face.
-    fn smooth_normal(&self, face: usize, uv: Vec2) -> Option<Vec3> {
+    /// The corners' normals; `None` on a flat face.
+    pub fn corner_normals(&self, face: usize) -> Option<[Vec3; 3]> {
         let corners = self.normal_corners.of(face, self.faces[face])?;
         let [a, b, c] = corners.map(|n| wide(self.normals[n as usize]));
-        if (a - b).length_squared() < SAME_NORMAL && (a - c).length_squared() < SAME_NORMAL {
-            return None;
-        }
+        let same = (a - b).length_squared() < SAME_NORMAL && (a - c).length_squared() < SAME_NORMAL;
+        (!same).then_some([a, b, c])
+    }
+
+    /// The corners' surface parameters, if they have any.
+    pub fn corner_uvs(&self, face: usize) -> Option<[Vec2; 3]> {
+        let corners = self.uv_corners.of(face, self.faces[face])?;
+        Some(corners.map(|i| {
+            let [u, v] = self.uvs[i as usize];
+            Vec2::new(f64::from(u), f64::from(v))
+        }))
+    }
+
+    /// The interpolated normal; `None` on a flat face.
+    fn smooth_normal(&self, face: usize, uv: Vec2) -> Option<Vec3> {
+        let [a, b, c] = self.corner_normals(face)?;
         (a + uv.x * (b - a) + uv.y * (c - a)).try_normalize()
     }
 }
@@ -206,11 +234,7 @@ impl Shape for Mesh {
 
     fn uv(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec2> {
         let face = crossing.part as usize;
-        let Some(corners) = self.uv_corners.of(face, self.faces[face]) else { return Some(Vec2::ZERO) };
-        let [a, b, c] = corners.map(|i| {
-            let [u, v] = self.uvs[i as usize];
-            Vec2::new(f64::from(u), f64::from(v))
-        });
+        let Some([a, b, c]) = self.corner_uvs(face) else { return Some(Vec2::ZERO) };
         Some((1.0 - crossing.uv.x - crossing.uv.y) * a + crossing.uv.x * b + crossing.uv.y * c)
     }
 
@@ -234,6 +258,10 @@ impl Shape for Mesh {
         self.kind
     }
 
+    fn as_mesh(&self) -> Option<&Mesh> {
+        Some(self)
+    }
+
     fn heap_bytes(&self) -> usize {
         let textures = match &self.textures {
             Textures::None => 0,
@@ -244,6 +272,7 @@ impl Shape for Mesh {
             + self.faces.capacity() * 12
             + self.normals.capacity() * 12
             + self.uvs.capacity() * 8
+            + self.numbers.capacity() * 4
             + self.normal_corners.heap_bytes()
             + self.uv_corners.heap_bytes()
             + textures
