@@ -11,7 +11,8 @@ const MASK: u32 = ENTRIES as u32 - 1;
 
 struct Tables {
     index: [u16; ENTRIES],
-    gradients: [[f64; 3]; ENTRIES],
+    /// Each with a 0 after it, which makes four doubles of it.
+    gradients: [[f64; 4]; ENTRIES],
 }
 
 static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
@@ -21,12 +22,13 @@ static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
 });
 
 /// A random unit vector: a point of the unit ball, pushed out to its surface.
-fn direction(random: &mut Lcg) -> [f64; 3] {
+fn direction(random: &mut Lcg) -> [f64; 4] {
     loop {
         let v: [f64; 3] = std::array::from_fn(|_| (f64::from(random.draw() % 4096) - 2048.0) / 2048.0);
         let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         if (1e-5..=1.0).contains(&square) {
-            return v.map(|c| c / square.sqrt());
+            let [x, y, z] = v.map(|c| c / square.sqrt());
+            return [x, y, z, 0.0];
         }
     }
 }
@@ -54,32 +56,40 @@ pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
     std::array::from_fn(|corner| {
         let [dx, dy, dz] = [2, 1, 0].map(|bit| (corner as u32 >> bit) & 1);
         let column = index(index(bx.wrapping_add(dx)).wrapping_add((by & MASK) + dy));
-        let [x, y, z] = tables.gradients[(column.wrapping_add((bz & MASK) + dz) & MASK) as usize];
+        let [x, y, z, _] = tables.gradients[(column.wrapping_add((bz & MASK) + dz) & MASK) as usize];
         [0.0, x, y, z]
     })
 }
 
-/// About -1 ..= 1.
-pub(super) fn sum(p: Vec3) -> f64 {
-    let tables: &Tables = &TABLES;
-    let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x + SHIFT), split(p.y + SHIFT), split(p.z + SHIFT));
+/// The gradients at the corners of a cell: of the lower corners by z, then of the upper ones. Bit 0 of the
+/// index goes with x, bit 1 with y.
+#[inline(always)]
+pub(super) fn corners([bx, by, bz]: [u32; 3]) -> ([&'static [f64; 4]; 4], [&'static [f64; 4]; 4]) {
+    let tables: &'static Tables = &TABLES;
     let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);
     let (qx, qx1) = (index(bx), index(bx.wrapping_add(1)));
-    let columns = [
-        index(qx.wrapping_add(by & MASK)),
-        index(qx1.wrapping_add(by & MASK)),
-        index(qx.wrapping_add((by & MASK) + 1)),
-        index(qx1.wrapping_add((by & MASK) + 1)),
-    ];
-    let dot = |column: usize, dz: u32| {
-        let g = &tables.gradients[((columns[column] + (bz & MASK) + dz) & MASK) as usize];
+    let (by, bz) = (by & MASK, bz & MASK);
+    let columns = [index(qx + by), index(qx1 + by), index(qx + by + 1), index(qx1 + by + 1)];
+    let gradient = |i: u32| &tables.gradients[(i & MASK) as usize];
+    (columns.map(|c| gradient(c + bz)), columns.map(|c| gradient(c + bz + 1)))
+}
+
+/// About -1 ..= 1.
+#[inline(always)]
+pub(super) fn sum(p: Vec3) -> f64 {
+    let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x + SHIFT), split(p.y + SHIFT), split(p.z + SHIFT));
+    let (low, high) = corners([bx, by, bz]);
+    let dot = |g: &[f64; 4], column: usize, dz: f64| {
         let (dx, dy) = ((column & 1) as f64, (column >> 1) as f64);
-        g[0] * (fx - dx) + g[1] * (fy - dy) + g[2] * (fz - f64::from(dz))
+        g[0] * (fx - dx) + g[1] * (fy - dy) + g[2] * (fz - dz)
     };
     let (sx, sy, sz) = (fade(fx), fade(fy), fade(fz));
     let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
-    let low = lerp(sy, lerp(sx, dot(0, 0), dot(1, 0)), lerp(sx, dot(2, 0), dot(3, 0)));
-    let high = lerp(sy, lerp(sx, dot(0, 1), dot(1, 1)), lerp(sx, dot(2, 1), dot(3, 1)));
+    let row = |corners: &[&[f64; 4]; 4], first: usize, dz: f64| {
+        lerp(sx, dot(corners[first], first, dz), dot(corners[first + 1], first + 1, dz))
+    };
+    let low = lerp(sy, row(&low, 0, 0.0), row(&low, 2, 0.0));
+    let high = lerp(sy, row(&high, 0, 1.0), row(&high, 2, 1.0));
     lerp(sz, low, high)
 }
 

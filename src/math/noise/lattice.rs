@@ -62,53 +62,65 @@ pub fn hash3(a: i64, b: i64, c: i64) -> usize {
 
 /// A unit cell of the lattice with a point in it.
 struct Cell {
-    /// Places of the corners' coefficients; bit 0 of the index goes with z, bit 1 with y, bit 2 with x.
     places: [u8; 8],
     /// The point relative to the lowest corner.
     f: [f64; 3],
 }
 
+/// Places of the coefficients of a cell's corners; bit 0 of the index goes with z, bit 1 with y, bit 2 with x.
+#[inline(always)]
+pub(super) fn places([ix, iy, iz]: [u32; 3]) -> [u8; 8] {
+    const SHIFT: u32 = 10000;
+    let (ix, iy, iz) = (ix.wrapping_add(SHIFT), iy.wrapping_add(SHIFT) & 4095, iz.wrapping_add(SHIFT) & 4095);
+    let (h0, h1) = (hash(ix), hash(ix.wrapping_add(1)));
+    let rows = [hash(h0 ^ iy), hash(h0 ^ (iy + 1)), hash(h1 ^ iy), hash(h1 ^ (iy + 1))];
+    let low = |i: u32| LOW_HASH[(i & 4095) as usize];
+    std::array::from_fn(|c| low(rows[c >> 1] ^ (iz + (c as u32 & 1))))
+}
+
 impl Cell {
     #[inline(always)]
     fn at(p: Vec3) -> Self {
-        const SHIFT: u32 = 10000;
         let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
-        let (ix, iy, iz) =
-            (ix.wrapping_add(SHIFT), iy.wrapping_add(SHIFT) & 4095, iz.wrapping_add(SHIFT) & 4095);
-        let (h0, h1) = (hash(ix), hash(ix.wrapping_add(1)));
-        let rows = [hash(h0 ^ iy), hash(h0 ^ (iy + 1)), hash(h1 ^ iy), hash(h1 ^ (iy + 1))];
-        let low = |i: u32| LOW_HASH[(i & 4095) as usize];
-        let places = std::array::from_fn(|c| low(rows[c >> 1] ^ (iz + (c as u32 & 1))));
-        Self { places, f: [fx, fy, fz] }
+        Self { places: places([ix, iy, iz]), f: [fx, fy, fz] }
     }
 
-    /// Sum over the corners of `N` consecutive components of the noise.
+    /// Sum over the corners of `N` consecutive components of the noise: lower and upper corners by z apart.
     #[inline(always)]
     fn sum<const N: usize>(&self) -> [f64; N] {
         let [fx, fy, fz] = self.f;
         let (sx, sy, sz) = (fade(fx), fade(fy), fade(fz));
         let (x, y, z) = ([fx, fx - 1.0], [fy, fy - 1.0], [fz, fz - 1.0]);
         let (wx, wy, wz) = ([1.0 - sx, sx], [1.0 - sy, sy], [1.0 - sz, sz]);
-        let mut sums = [[0.0; 4]; N];
+        let mut sums = [[[0.0; 4]; 2]; N];
         for c in 0..8 {
             let (i, j, k) = (c >> 2, (c >> 1) & 1, c & 1);
             let w = wx[i] * wy[j] * wz[k];
             let factors = [w * 0.5, w * x[i], w * y[j], w * z[k]];
             let place = usize::from(self.places[c]);
             for (o, sum) in sums.iter_mut().enumerate() {
-                for (t, s) in sum.iter_mut().enumerate() {
+                for (t, s) in sum[k].iter_mut().enumerate() {
                     *s += factors[t] * COEFFICIENTS[place + 4 * o + t];
                 }
             }
         }
-        sums.map(|s| (s[0] + s[2]) + (s[1] + s[3]))
+        sums.map(|[low, high]| {
+            let s: [f64; 4] = std::array::from_fn(|t| low[t] + high[t]);
+            (s[0] + s[2]) + (s[1] + s[3])
+        })
     }
 }
 
 /// The first component alone, about -1 ..= 1.
-#[inline]
+#[inline(always)]
 pub(super) fn sum(p: Vec3) -> f64 {
     Cell::at(p).sum::<1>()[0]
+}
+
+/// Three components of noise at once, each about -1 ..= 1.
+#[inline(always)]
+pub(super) fn vector_noise(p: Vec3) -> Vec3 {
+    Vec3::from_array(Cell::at(p).sum::<3>())
 }
 
 /// The linear forms at the corners of the cell around a point: offset and gradient. Bit 0 of the index goes
@@ -118,12 +130,6 @@ pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
         let [offset, x, y, z] = std::array::from_fn(|i| COEFFICIENTS[usize::from(place) + i]);
         [0.5 * offset, x, y, z]
     })
-}
-
-/// Three components of noise at once, each about -1 ..= 1. The same for all generators.
-#[inline]
-pub fn vector_noise(p: Vec3) -> Vec3 {
-    Vec3::from_array(Cell::at(p).sum::<3>())
 }
 
 #[cfg(test)]

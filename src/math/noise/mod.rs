@@ -9,10 +9,13 @@ mod coefficients;
 mod enclosure;
 mod gradient;
 mod lattice;
+pub mod scalar;
 mod turbulence;
+#[cfg(target_arch = "x86_64")]
+mod wide;
 
 pub use enclosure::enclose;
-pub use lattice::{hash1, hash2, hash3, vector_noise};
+pub use lattice::{hash1, hash2, hash3};
 pub use turbulence::Turbulence;
 
 use super::Vec3;
@@ -38,13 +41,52 @@ impl NoiseGenerator {
     }
 }
 
+/// Calls the function of the name in `wide` where the processor has what it needs, else that in `scalar`.
+macro_rules! fastest {
+    ($function:ident($($argument:expr),*)) => {{
+        #[cfg(target_arch = "x86_64")]
+        if wide::is_available() {
+            // SAFETY: the processor has just been seen to have what `wide` is compiled for.
+            #[allow(unsafe_code)]
+            return unsafe { wide::$function($($argument),*) };
+        }
+        scalar::$function($($argument),*)
+    }};
+}
+
 /// Scalar noise at a point, 0 ..= 1.
 #[inline]
 pub fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
-    match generator {
-        NoiseGenerator::Original => clamp01(lattice::sum(p) + 0.5),
-        NoiseGenerator::RangeCorrected => clamp01((lattice::sum(p) + 1.05242) * 0.48985582),
-        NoiseGenerator::Perlin => clamp01(0.5 * (1.59 * gradient::sum(p) + 0.985)),
+    fastest!(noise(p, generator))
+}
+
+/// Three components of noise at once, each about -1 ..= 1. The same for all generators.
+#[inline]
+pub fn vector_noise(p: Vec3) -> Vec3 {
+    fastest!(vector_noise(p))
+}
+
+/// Scalar noise at `p` scaled by `first`, and by `lambda` more each time.
+#[inline]
+pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
+    fastest!(octaves(p, first, lambda, generator, out))
+}
+
+/// Vector noise at `p`, and at `p` scaled by `lambda` more each time.
+#[inline]
+pub fn vector_octaves(p: Vec3, lambda: f64, out: &mut [Vec3]) {
+    fastest!(vector_octaves(p, lambda, out))
+}
+
+impl NoiseGenerator {
+    /// The noise that a lattice's sum stands for.
+    #[inline(always)]
+    fn level(self, sum: f64) -> f64 {
+        match self {
+            Self::Original => clamp01(sum + 0.5),
+            Self::RangeCorrected => clamp01((sum + 1.05242) * 0.48985582),
+            Self::Perlin => clamp01(0.5 * (1.59 * sum + 0.985)),
+        }
     }
 }
 
@@ -56,12 +98,13 @@ fn clamp01(v: f64) -> f64 {
 /// The largest coordinate that is split into cell and fraction; doubles twice as large are whole numbers.
 const LARGEST: f64 = 2_251_799_813_685_248.0;
 
+/// 1.5 * 2^52: adding it rounds to a whole number, which then stands in the low bits of the double.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
 /// Splits a coordinate into the low bits of its floor and the fraction. A whole number may count to the cell
 /// below it, with a fraction of 1: all noise is continuous, and this saves a comparison.
 #[inline(always)]
 fn split(v: f64) -> (u32, f64) {
-    // Adding 1.5 * 2^52 rounds to a whole number, which then stands in the low bits of the double.
-    const ROUND: f64 = 6_755_399_441_055_744.0;
     let v = if v > -LARGEST { v } else { -LARGEST };
     let v = if v < LARGEST { v } else { LARGEST };
     let sum = (v - 0.5) + ROUND;

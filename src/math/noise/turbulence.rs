@@ -1,5 +1,8 @@
-use super::{NoiseGenerator, noise, vector_noise};
+use super::{NoiseGenerator, octaves, vector_octaves};
 use crate::math::Vec3;
+
+/// The largest number of octaves.
+const MOST_OCTAVES: usize = 10;
 
 /// A sum of noise at growing frequencies (`lambda` per octave) and falling weights (`omega` per octave).
 ///
@@ -32,12 +35,13 @@ impl Turbulence {
 
     /// The sum of vector noise, `amount` left aside.
     pub fn vector(&self, p: Vec3) -> Vec3 {
-        let mut sum = vector_noise(p);
-        let (mut length, mut weight) = (1.0, 1.0);
-        for _ in 1..self.octaves {
-            length *= self.lambda;
+        let mut terms = [Vec3::ZERO; MOST_OCTAVES];
+        let terms = &mut terms[..self.count()];
+        vector_octaves(p, self.lambda, terms);
+        let (mut sum, mut weight) = (terms[0], 1.0);
+        for &term in &terms[1..] {
             weight *= self.omega;
-            sum += weight * vector_noise(length * p);
+            sum += weight * term;
         }
         sum
     }
@@ -45,18 +49,20 @@ impl Turbulence {
     /// The sum of scalar noise, `amount` left aside.
     pub fn scalar(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
         let original = generator == NoiseGenerator::Original;
-        let term = |p: Vec3| {
-            let n = noise(p, generator);
-            if original { n } else { 2.0 * n - 0.5 }
-        };
+        let term = |n: f64| if original { n } else { 2.0 * n - 0.5 };
+        let mut terms = [0.0; MOST_OCTAVES];
+        let terms = &mut terms[..self.count()];
+        octaves(p, 1.0, self.lambda, generator, terms);
         // Only the first octave is clamped.
-        let mut sum = term(p).clamp(0.0, 1.0);
-        let (mut length, mut weight) = (1.0, 1.0);
-        for _ in 1..self.octaves {
-            length *= self.lambda;
+        let (mut sum, mut weight) = (term(terms[0]).clamp(0.0, 1.0), 1.0);
+        for &n in &terms[1..] {
             weight *= self.omega;
-            sum += weight * term(length * p);
+            sum += weight * term(n);
         }
         sum
+    }
+
+    fn count(&self) -> usize {
+        (self.octaves as usize).clamp(1, MOST_OCTAVES)
     }
 }

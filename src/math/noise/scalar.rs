@@ -1,0 +1,34 @@
+//! Noise without vector instructions, one number after the other: what runs where the processor has none, and
+//! what the others must equal to the bit.
+
+use super::{NoiseGenerator, gradient, lattice};
+use crate::math::Vec3;
+
+/// See [`noise`](super::noise).
+pub fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
+    let sum = if generator == NoiseGenerator::Perlin { gradient::sum(p) } else { lattice::sum(p) };
+    generator.level(sum)
+}
+
+/// See [`vector_noise`](super::vector_noise).
+pub fn vector_noise(p: Vec3) -> Vec3 {
+    lattice::vector_noise(p)
+}
+
+/// See [`octaves`](super::octaves).
+pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
+    let mut scale = first;
+    for value in out {
+        *value = noise(scale * p, generator);
+        scale *= lambda;
+    }
+}
+
+/// See [`vector_octaves`](super::vector_octaves).
+pub fn vector_octaves(p: Vec3, lambda: f64, out: &mut [Vec3]) {
+    let mut scale = 1.0;
+    for value in out {
+        *value = vector_noise(scale * p);
+        scale *= lambda;
+    }
+}
