@@ -12,6 +12,7 @@ Examples:
   glint check --json scene.pov           parse and prepare only
   glint compare a.png b.png --diff d.png
   glint crosscheck scenes/ --report report.html
+  glint trade scene.pov --budget 60s --report trade.html
 
 Exit codes: 0 done, 1 a scene was wrong or a comparison fell short, 2 usage, 3 a file or a needed
 program cannot be read, written or found, 130 after Ctrl-C.
@@ -39,6 +40,8 @@ pub enum Command {
     Compare(CompareArgs),
     /// Render scenes with POV-Ray and with Glint and compare the pictures
     Crosscheck(CrosscheckArgs),
+    /// Measure what each setting costs for a scene, and what error it leaves
+    Trade(TradeArgs),
     /// Compare the project's scenes with their stored pictures
     #[command(subcommand)]
     Golden(GoldenCommand),
@@ -48,7 +51,7 @@ pub enum Command {
 
 /// The names of all subcommands, for telling `glint SCENE` from `glint COMMAND`.
 pub const COMMANDS: &[&str] =
-    &["render", "check", "explain", "compare", "crosscheck", "golden", "completions", "help"];
+    &["render", "check", "explain", "compare", "crosscheck", "trade", "golden", "completions", "help"];
 
 /// How scene text is found and read.
 #[derive(Args, Clone, Debug, Default)]
@@ -146,6 +149,31 @@ pub struct AccuracyArgs {
     pub max_samples: Option<u64>,
 }
 
+/// What replaces words of the scene.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub struct OverrideArgs {
+    /// Instead of the scene's max_trace_level
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub trace_level: Option<u32>,
+    /// Instead of the scene's adc_bailout
+    #[arg(long, value_name = "X", value_parser = not_negative)]
+    pub adc_bailout: Option<f32>,
+    /// Lamps of an area light that a point looks at, picked by chance
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub area_samples: Option<u32>,
+    /// Instead of radiosity's count
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1600))]
+    pub radiosity_count: Option<u32>,
+    /// The most samples that an interval of a medium gets
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub media_samples: Option<u32>,
+}
+
+fn not_negative(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok().filter(|v: &f32| v.is_finite() && *v >= 0.0);
+    number.ok_or_else(|| "expected a number that is not negative".to_owned())
+}
+
 /// Columns and rows `x0, y0, x1, y1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Corners(pub [u32; 4]);
@@ -169,6 +197,8 @@ pub struct RenderArgs {
     pub picture: PictureArgs,
     #[command(flatten)]
     pub accuracy: AccuracyArgs,
+    #[command(flatten)]
+    pub overrides: OverrideArgs,
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Trace only columns x0 to x1-1 of rows y0 to y1-1, counted from 0 at the upper left; the picture
@@ -294,6 +324,54 @@ pub struct CrosscheckArgs {
     /// Say nothing but errors
     #[arg(long, short = 'q')]
     pub quiet: bool,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct TradeArgs {
+    /// A scene file
+    #[arg(value_name = "SCENE")]
+    pub scene_file: PathBuf,
+    /// What is varied, so far as the scene has it [default: all]
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub settings: Vec<TradeSetting>,
+    /// The wall time that the measuring may take: 60, 60s, 2min
+    #[arg(long, value_name = "T", default_value = "60s", value_parser = parse_seconds)]
+    pub budget: f64,
+    /// Write a self-contained HTML report
+    #[arg(long, value_name = "HTML")]
+    pub report: Option<PathBuf>,
+    /// Keep the reference picture in this folder, and use it again while scene and size are the same
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    /// Print a JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Width of the picture; measured is a smaller one if the budget is small
+    #[arg(short = 'W', long, value_name = "PIXELS", default_value_t = 640, value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub width: u32,
+    /// Height of the picture
+    #[arg(short = 'H', long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(1..=65535))]
+    pub height: u32,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Threads that trace [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Say nothing but errors and results
+    #[arg(long, short = 'q')]
+    pub quiet: bool,
+}
+
+/// What `glint trade` can vary.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TradeSetting {
+    /// Anti-aliasing method, threshold and depth
+    Aa,
+    TraceLevel,
+    AdcBailout,
+    AreaSamples,
+    RadiosityCount,
+    MediaSamples,
 }
 
 #[derive(Subcommand, Clone, Debug)]

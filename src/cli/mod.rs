@@ -19,6 +19,7 @@ mod render;
 mod scene;
 mod stack;
 mod syntax;
+mod trade;
 
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
@@ -54,6 +55,7 @@ fn glint(words: Vec<OsString>) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args),
         Command::Crosscheck(args) => crosscheck::run(&args),
         Command::Golden(command) => golden::run(&command),
+        Command::Trade(args) => trade::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Completions(args) => {
             clap_complete::generate(args.shell, &mut Cli::command(), "glint", &mut std::io::stdout());

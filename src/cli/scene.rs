@@ -6,6 +6,7 @@ use super::exit::Failure;
 use crate::interp::{self, IncludeMode, Outcome, SceneSource};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, Files};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Read;
 use std::path::Path;
 
@@ -61,6 +62,8 @@ pub struct Parsed {
     /// One line each: place and message.
     pub warnings: Vec<String>,
     pub unsupported: Vec<String>,
+    /// Of all text that was read, and of what the scene was told.
+    pub fingerprint: u64,
 }
 
 /// Reads a scene. Diagnostics go to stderr, warnings only unless `quiet`.
@@ -83,7 +86,21 @@ pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Fail
         )));
     }
     let warnings = warnings.iter().map(|w| diagnostic::line(w, &files)).collect();
-    Ok(Parsed { scene, warnings, unsupported })
+    let fingerprint = fingerprint(&files, &options.interp);
+    Ok(Parsed { scene, warnings, unsupported, fingerprint })
+}
+
+fn fingerprint(files: &Files, told: &interp::Options) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    env!("CARGO_PKG_VERSION").hash(&mut hasher);
+    for text in files.texts() {
+        text.hash(&mut hasher);
+    }
+    for (name, value) in &told.declares {
+        (name, value.to_bits()).hash(&mut hasher);
+    }
+    told.frame.clock.to_bits().hash(&mut hasher);
+    hasher.finish()
 }
 
 fn source(path: &Path) -> Result<SceneSource, Failure> {

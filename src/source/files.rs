@@ -54,4 +54,9 @@ impl Files {
     pub fn text(&self, id: FileId) -> &std::sync::Arc<[u8]> {
         &self.files[id.0 as usize].text
     }
+
+    /// All texts in the order in which they were met.
+    pub fn texts(&self) -> impl Iterator<Item = &[u8]> {
+        self.files.iter().map(|f| &*f.text)
+    }
 }

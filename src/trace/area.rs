@@ -61,10 +61,13 @@ impl Tracer<'_> {
         arrival: &Arrival,
     ) -> Rgb {
         let lamps = area.size1 as usize * area.size2 as usize;
-        self.lamps.clear();
-        self.lamps.resize(lamps, Rgb::splat(UNTESTED));
         let axes = area.axes(arrival.direction);
         let exposure = Exposure { departure, inside, source, area, axes, color: arrival.color };
+        if let Some(few) = self.settings.overrides.area_samples.filter(|&n| (n as usize) < lamps) {
+            return self.few_lamps(&exposure, few.max(1));
+        }
+        self.lamps.clear();
+        self.lamps.resize(lamps, Rgb::splat(UNTESTED));
         let whole = Part { u: (0, area.size1 - 1), v: (0, area.size2 - 1) };
         self.part(&exposure, whole, 0)
     }
@@ -86,13 +89,30 @@ impl Tracer<'_> {
         if !self.lamps[place].x.is_nan() {
             return self.lamps[place];
         }
+        let color = self.lamp_alone(e, u, v);
+        self.lamps[place] = color;
+        color
+    }
+
+    fn lamp_alone(&mut self, e: &Exposure, u: u32, v: u32) -> Rgb {
         let (u, v) = self.lamp_place(e.area.jitter, u, v);
         let offset = e.area.offset(e.axes, u, v);
         let (direction, distance) = e.source.light.towards(e.departure.point, offset);
         let ray = e.departure.ray(direction);
-        let color = self.transmitted(&ray, distance, e.inside, e.source, e.color);
-        self.lamps[place] = color;
-        color
+        self.transmitted(&ray, distance, e.inside, e.source, e.color)
+    }
+
+    /// The mean over some lamps, each as likely as it weighs in the mean over all. They are spread over the
+    /// grid by a shifted Hammersley set.
+    fn few_lamps(&mut self, e: &Exposure, few: u32) -> Rgb {
+        let (first, second) = (self.random.draw(), self.random.draw());
+        let mut sum = Rgb::ZERO;
+        for i in 0..few {
+            let across = (f64::from(i) / f64::from(few) + first).fract();
+            let along = (f64::from(i.reverse_bits()) / 4_294_967_296.0 + second).fract();
+            sum += self.lamp_alone(e, weighted(across, e.area.size1), weighted(along, e.area.size2));
+        }
+        sum / few as f32
     }
 
     /// The lamp's place in the grid, shaken if the light says so.
@@ -102,7 +122,59 @@ impl Tracer<'_> {
     }
 }
 
+/// The lamp of a row at which a number in 0..1 arrives if halves of the row are as likely as they weigh in
+/// [`Tracer::part`]: equally, whether or not they share the middle lamp.
+fn weighted(mut x: f64, size: u32) -> u32 {
+    let (mut a, mut b) = (0, size - 1);
+    while a < b {
+        x *= 2.0;
+        let right = x >= 1.0;
+        x -= f64::from(u8::from(right));
+        (a, b) = match (b - a > 1, right) {
+            (true, false) => (a, (a + b) / 2),
+            (true, true) => ((a + b).div_ceil(2), b),
+            (false, false) => (a, a),
+            (false, true) => (b, b),
+        };
+    }
+    a
+}
+
 /// Whether two corners side by side differ.
 fn has_contrast(c: &[Rgb; 4]) -> bool {
     [(0, 1), (1, 3), (3, 2), (2, 0)].iter().any(|&(a, b)| (c[a] - c[b]).abs().element_sum() > CONTRAST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How much each lamp of a row weighs in the mean over all.
+    fn weights(size: u32) -> Vec<f64> {
+        fn part(a: u32, b: u32, weight: f64, out: &mut [f64]) {
+            if b - a > 1 {
+                part(a, (a + b) / 2, weight / 2.0, out);
+                part((a + b).div_ceil(2), b, weight / 2.0, out);
+            } else {
+                out[a as usize] += weight / 2.0;
+                out[b as usize] += weight / 2.0;
+            }
+        }
+        let mut out = vec![0.0; size as usize];
+        part(0, size - 1, 1.0, &mut out);
+        out
+    }
+
+    #[test]
+    fn lamps_are_as_likely_as_they_weigh() {
+        for size in [1, 2, 3, 5, 8, 9] {
+            let n = 1 << 12;
+            let mut counts = vec![0.0; size as usize];
+            for i in 0..n {
+                counts[weighted((f64::from(i) + 0.5) / f64::from(n), size) as usize] += 1.0 / f64::from(n);
+            }
+            assert_eq!(counts, weights(size), "{size}");
+        }
+        assert_eq!(weights(3), [0.25, 0.5, 0.25]);
+    }
 }

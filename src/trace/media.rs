@@ -165,7 +165,11 @@ impl<'w> Tracer<'w> {
             }
         }
         let threshold = all().map(|m| m.media.aa_threshold).fold(f32::INFINITY, f32::min);
-        Plan::new(first, &self.media[first as usize], threshold)
+        let plan = Plan::new(first, &self.media[first as usize], threshold);
+        match self.settings.overrides.media_samples {
+            Some(most) => plan.with_samples(most),
+            None => plan,
+        }
     }
 
     /// The lights that light the stretch: those that light the object at its end.

@@ -41,6 +41,12 @@ impl Plan {
             has_density: !m.densities.is_empty(),
         }
     }
+
+    /// The same with no more samples than `most`.
+    pub fn with_samples(mut self, most: u32) -> Self {
+        self.samples = (self.samples.0.min(most).max(1), self.samples.1.min(most));
+        self
+    }
 }
 
 /// A part of the stretch.

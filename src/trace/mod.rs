@@ -34,13 +34,25 @@ pub struct Settings {
     pub quality: u8,
     /// Whether the picture has an alpha channel.
     pub alpha: bool,
-    /// Replaces the scene's `max_trace_level`.
+    pub overrides: Overrides,
+}
+
+/// What replaces words of the scene; what is `None` stays as the scene has it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overrides {
     pub max_trace_level: Option<u32>,
+    pub adc_bailout: Option<f32>,
+    /// Lamps of an area light that are tested for a point, picked by chance; no more than it has.
+    pub area_samples: Option<u32>,
+    /// Rays of a radiosity gather.
+    pub radiosity_count: Option<u32>,
+    /// The most samples that each interval of a medium gets.
+    pub media_samples: Option<u32>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { width: 160, height: 120, quality: 9, alpha: false, max_trace_level: None }
+        Self { width: 160, height: 120, quality: 9, alpha: false, overrides: Overrides::default() }
     }
 }
 

@@ -88,8 +88,8 @@ impl<'w> Tracer<'w> {
             counters: Counters::default(),
             random: Random::new(0, 0, 0),
             needs: Needs::new(world, settings.quality),
-            adc_bailout: globals.adc_bailout,
-            max_level: settings.max_trace_level.unwrap_or(globals.max_trace_level).clamp(1, 256),
+            adc_bailout: settings.overrides.adc_bailout.unwrap_or(globals.adc_bailout),
+            max_level: settings.overrides.max_trace_level.unwrap_or(globals.max_trace_level).clamp(1, 256),
             modern: globals.effective_version >= 370,
             context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
             radiosity: None,
@@ -106,7 +106,8 @@ impl<'w> Tracer<'w> {
         if tracer.needs.media || tracer.needs.atmosphere {
             tracer.list_media();
         }
-        tracer.radiosity = Lighting::unknown(world, settings).map(|l| Radiosity::new(world, l, false));
+        tracer.radiosity =
+            Lighting::unknown(world, settings).map(|l| Radiosity::new(world, settings, l, false));
         tracer
     }
 
@@ -114,7 +115,7 @@ impl<'w> Tracer<'w> {
     pub fn lit(world: &'w World, settings: &Settings, lighting: Option<&Lighting>) -> Self {
         let mut tracer = Self::new(world, settings);
         if let (Some(_), Some(lighting)) = (&tracer.radiosity, lighting) {
-            tracer.radiosity = Some(Radiosity::new(world, lighting.clone(), false));
+            tracer.radiosity = Some(Radiosity::new(world, settings, lighting.clone(), false));
         }
         tracer
     }

@@ -2,6 +2,7 @@
 
 use super::{Knobs, Sampling};
 use crate::render::Method;
+use crate::trace::Overrides;
 
 /// Something that can be varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,15 +13,8 @@ pub enum Axis {
     AdcBailout,
     /// Lamps of area lights.
     AreaSamples,
-}
-
-impl Axis {
-    pub const ALL: [(&'static str, Axis); 4] = [
-        ("aa", Axis::Sampling),
-        ("trace-level", Axis::TraceLevel),
-        ("adc-bailout", Axis::AdcBailout),
-        ("area-samples", Axis::AreaSamples),
-    ];
+    RadiosityCount,
+    MediaSamples,
 }
 
 /// What a scene has to be varied, apart from its sampling.
@@ -32,6 +26,10 @@ pub struct Axes {
     pub adc_bailout: Option<f32>,
     /// Lamps of the largest area light.
     pub lamps: Option<u32>,
+    /// Rays of a radiosity gather.
+    pub radiosity_count: Option<u32>,
+    /// Samples of the medium with most of them.
+    pub media_samples: Option<u32>,
 }
 
 impl Axes {
@@ -42,7 +40,31 @@ impl Axes {
             trace_level: self.trace_level.filter(|_| has(Axis::TraceLevel)),
             adc_bailout: self.adc_bailout.filter(|_| has(Axis::AdcBailout)),
             lamps: self.lamps.filter(|_| has(Axis::AreaSamples)),
+            radiosity_count: self.radiosity_count.filter(|_| has(Axis::RadiosityCount)),
+            media_samples: self.media_samples.filter(|_| has(Axis::MediaSamples)),
         }
+    }
+}
+
+impl Axes {
+    /// What is cheaper than the scene's own, one thing at a time.
+    fn economies(&self) -> Vec<Overrides> {
+        fn below(list: &[u32], own: Option<u32>) -> impl Iterator<Item = Option<u32>> {
+            list.iter().filter(move |&&n| own.is_some_and(|own| n < own)).map(|&n| Some(n))
+        }
+        let none = Overrides::default();
+        let mut all = Vec::new();
+        let levels = below(&TRACE_LEVELS, self.trace_level);
+        all.extend(levels.map(|max_trace_level| Overrides { max_trace_level, ..none }));
+        let bailouts = BAILOUTS.iter().filter(|&&b| self.adc_bailout.is_some_and(|own| b > own));
+        all.extend(bailouts.map(|&b| Overrides { adc_bailout: Some(b), ..none }));
+        let lamps = below(&LAMPS, self.lamps);
+        all.extend(lamps.map(|area_samples| Overrides { area_samples, ..none }));
+        let gathers = below(&GATHERS, self.radiosity_count);
+        all.extend(gathers.map(|radiosity_count| Overrides { radiosity_count, ..none }));
+        let media = below(&MEDIA, self.media_samples);
+        all.extend(media.map(|media_samples| Overrides { media_samples, ..none }));
+        all
     }
 }
 
@@ -52,6 +74,8 @@ const RECURSIVE: [(f32, u32); 6] = [(0.3, 2), (0.3, 3), (0.1, 3), (0.3, 4), (0.1
 const TRACE_LEVELS: [u32; 5] = [1, 2, 3, 5, 10];
 const BAILOUTS: [f32; 3] = [0.01, 0.03, 0.1];
 const LAMPS: [u32; 4] = [1, 4, 9, 25];
+const GATHERS: [u32; 4] = [10, 35, 100, 300];
+const MEDIA: [u32; 4] = [1, 2, 4, 8];
 
 /// All ways to be tried, the quick ones first within each kind. Without `sampling`, only adaptive sampling is
 /// used.
@@ -71,12 +95,7 @@ pub fn grid(axes: &Axes, sampling: bool) -> Vec<Knobs> {
         all.extend(fixed(Method::Recursive, &RECURSIVE));
     }
     for own in ERRORS[1..4].iter().map(|&e| adaptive(e)) {
-        let levels = TRACE_LEVELS.iter().filter(|&&l| axes.trace_level.is_some_and(|own| l < own));
-        all.extend(levels.map(|&l| Knobs { trace_level: Some(l), ..own }));
-        let bailouts = BAILOUTS.iter().filter(|&&b| axes.adc_bailout.is_some_and(|own| b > own));
-        all.extend(bailouts.map(|&b| Knobs { adc_bailout: Some(b), ..own }));
-        let lamps = LAMPS.iter().filter(|&&n| axes.lamps.is_some_and(|own| n < own));
-        all.extend(lamps.map(|&n| Knobs { area_samples: Some(n), ..own }));
+        all.extend(axes.economies().into_iter().map(|overrides| Knobs { overrides, ..own }));
     }
     all
 }
@@ -89,17 +108,25 @@ mod tests {
     fn a_plain_scene_has_only_its_sampling() {
         let all = grid(&Axes::default(), true);
         assert_eq!(all.len(), 1 + 5 + 6 + 6);
-        assert!(all.iter().all(|k| k.trace_level.is_none() && k.area_samples.is_none()));
+        assert!(all.iter().all(|k| k.overrides == Overrides::default()));
     }
 
     #[test]
     fn only_cheaper_values_than_the_scenes_own_are_tried() {
-        let axes = Axes { trace_level: Some(5), adc_bailout: Some(1.0 / 255.0), lamps: Some(9) };
+        let axes = Axes {
+            trace_level: Some(5),
+            adc_bailout: Some(1.0 / 255.0),
+            lamps: Some(9),
+            radiosity_count: Some(35),
+            media_samples: None,
+        };
         let all = grid(&axes, false);
-        let levels: Vec<u32> = all.iter().filter_map(|k| k.trace_level).collect();
+        let levels: Vec<u32> = all.iter().filter_map(|k| k.overrides.max_trace_level).collect();
         assert_eq!(levels, [1, 2, 3, 1, 2, 3, 1, 2, 3]);
-        assert_eq!(all.iter().filter(|k| k.adc_bailout.is_some()).count(), 9);
-        assert_eq!(all.iter().filter_map(|k| k.area_samples).max(), Some(4));
+        assert_eq!(all.iter().filter(|k| k.overrides.adc_bailout.is_some()).count(), 9);
+        assert_eq!(all.iter().filter_map(|k| k.overrides.area_samples).max(), Some(4));
+        assert_eq!(all.iter().filter_map(|k| k.overrides.radiosity_count).collect::<Vec<_>>(), [10; 3]);
+        assert!(all.iter().all(|k| k.overrides.media_samples.is_none()));
         let only = axes.only(&[Axis::AdcBailout]);
         assert_eq!(only, Axes { adc_bailout: Some(1.0 / 255.0), ..Axes::default() });
     }

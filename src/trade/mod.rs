@@ -15,8 +15,10 @@ use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture};
 use crate::render::Method;
 use crate::render::adaptive::Clock;
+use crate::trace::Overrides;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
+use std::fmt::Write;
 
 /// How pixels are sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,15 +35,12 @@ pub enum Sampling {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knobs {
     pub sampling: Sampling,
-    pub trace_level: Option<u32>,
-    pub adc_bailout: Option<f32>,
-    /// Lamps of an area light that one sample tests.
-    pub area_samples: Option<u32>,
+    pub overrides: Overrides,
 }
 
 impl Knobs {
     pub fn new(sampling: Sampling) -> Self {
-        Self { sampling, trace_level: None, adc_bailout: None, area_samples: None }
+        Self { sampling, overrides: Overrides::default() }
     }
 
     /// The options of `glint render` that stand for them.
@@ -55,9 +54,7 @@ impl Knobs {
             ],
             Sampling::Adaptive { max_error } => vec![format!("--max-error={max_error}")],
         };
-        words.extend(self.trace_level.map(|l| format!("--trace-level={l}")));
-        words.extend(self.adc_bailout.map(|b| format!("--adc-bailout={b}")));
-        words.extend(self.area_samples.map(|n| format!("--area-samples={n}")));
+        words.extend(self.replaced().map(|(what, value)| format!("--{}={value}", what.replace('_', "-"))));
         words
     }
 
@@ -70,16 +67,25 @@ impl Knobs {
             }
             Sampling::Adaptive { max_error } => format!("adaptive, error {max_error}"),
         };
-        for (what, value) in [
-            ("trace level", self.trace_level.map(|l| l.to_string())),
-            ("adc_bailout", self.adc_bailout.map(|b| b.to_string())),
-            ("area samples", self.area_samples.map(|n| n.to_string())),
-        ] {
-            if let Some(value) = value {
-                name.push_str(&format!(", {what} {value}"));
-            }
+        for (what, value) in self.replaced() {
+            let _ = write!(name, ", {} {value}", what.replace('_', " "));
         }
         name
+    }
+
+    /// What replaces words of the scene, by its name.
+    fn replaced(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let o = &self.overrides;
+        // As written, not as single precision has it.
+        let bailout = o.adc_bailout.map(|b| b.to_string().parse().unwrap_or(f64::from(b)));
+        let all = [
+            ("trace_level", o.max_trace_level.map(f64::from)),
+            ("adc_bailout", bailout),
+            ("area_samples", o.area_samples.map(f64::from)),
+            ("radiosity_count", o.radiosity_count.map(f64::from)),
+            ("media_samples", o.media_samples.map(f64::from)),
+        ];
+        all.into_iter().filter_map(|(what, value)| Some((what, value?)))
     }
 }
 
@@ -98,14 +104,8 @@ impl Serialize for Knobs {
                 map.serialize_entry("max_error", &max_error)?;
             }
         }
-        if let Some(level) = self.trace_level {
-            map.serialize_entry("trace_level", &level)?;
-        }
-        if let Some(bailout) = self.adc_bailout {
-            map.serialize_entry("adc_bailout", &bailout)?;
-        }
-        if let Some(samples) = self.area_samples {
-            map.serialize_entry("area_samples", &samples)?;
+        for (what, value) in self.replaced() {
+            map.serialize_entry(what, &value)?;
         }
         map.end()
     }
@@ -135,8 +135,8 @@ pub struct Reference {
 
 /// A scene that can be rendered in different ways.
 pub trait Subject {
-    /// What there is to be varied.
-    fn axes(&self) -> Axes;
+    /// Gets ready for pictures of that size, so that it takes no time later.
+    fn prepare(&self, size: Size) -> Result<(), String>;
 
     /// The picture, or `None` if it was not finished when the clock said `until`.
     fn render(&self, size: Size, knobs: &Knobs, until: f64) -> Option<Picture>;

@@ -85,8 +85,14 @@ const PILOT: u32 = 96;
 /// No picture is made narrower than this: it would say nothing about larger ones.
 const NARROWEST: u32 = 80;
 
-pub fn sweep(subject: &dyn Subject, clock: &dyn Stopwatch, plan: &Plan) -> Result<Measurement, String> {
-    let mut sweep = Sweep { subject, clock, plan, pace: 0.0 };
+/// Measures. `say` is told what is being done.
+pub fn sweep(
+    subject: &dyn Subject,
+    clock: &dyn Stopwatch,
+    plan: &Plan,
+    say: &dyn Fn(&str),
+) -> Result<Measurement, String> {
+    let mut sweep = Sweep { subject, clock, plan, say, pace: 0.0 };
     let size = sweep.pilot()?;
     let reference = sweep.reference(size)?;
     let (mut rows, left_out) = sweep.rows(size, &reference);
@@ -113,6 +119,7 @@ struct Sweep<'a> {
     subject: &'a dyn Subject,
     clock: &'a dyn Stopwatch,
     plan: &'a Plan,
+    say: &'a dyn Fn(&str),
     /// Wall seconds of a sample, as it was last found.
     pace: f64,
 }
@@ -131,6 +138,7 @@ impl Sweep<'_> {
     fn pilot(&mut self) -> Result<Size, String> {
         let asked = self.plan.size;
         let small = scaled(asked, f64::from(PILOT) / f64::from(asked.width));
+        self.subject.prepare(small)?;
         let begun = self.clock.seconds();
         let picture = self.subject.render(small, &Knobs::new(Sampling::Centre), self.at(OVERFULL));
         picture.ok_or("the budget is too small to render the scene once: allow more")?;
@@ -146,6 +154,8 @@ impl Sweep<'_> {
             _ => 0.01,
         };
         let finest = self.plan.knobs.iter().map(finest).fold(0.01, f64::min);
+        (self.say)(&format!("the reference, {}x{}", size.width, size.height));
+        self.subject.prepare(size)?;
         let reference = self.subject.reference(size, REFERENCE_SHARE * finest, self.at(REFERENCE_TIME));
         reference.ok_or_else(|| "the budget is too small for a reference: allow more".to_owned())
     }
@@ -161,7 +171,10 @@ impl Sweep<'_> {
                 false => None,
             };
             match row {
-                Some(row) => rows.push(row),
+                Some(row) => {
+                    (self.say)(&format!("{}: {:.3} CPU s, RMSE {:.5}", row.name, row.cpu_s, row.rmse));
+                    rows.push(row);
+                }
                 None => left_out.push(knobs.name()),
             }
         }

@@ -58,8 +58,8 @@ impl Painting {
 }
 
 impl Subject for Painting {
-    fn axes(&self) -> Axes {
-        self.axes.clone()
+    fn prepare(&self, _size: Size) -> Result<(), String> {
+        Ok(())
     }
 
     fn render(&self, size: Size, knobs: &Knobs, until: f64) -> Option<Picture> {
@@ -107,8 +107,8 @@ impl Subject for Painting {
 }
 
 fn measured(subject: &Painting, size: Size, budget: f64) -> Result<sweep::Measurement, String> {
-    let knobs = grid(&subject.axes(), true);
-    sweep(subject, &subject.clock, &Plan { size, begin: 0.0, end: budget, knobs })
+    let knobs = grid(&subject.axes, true);
+    sweep(subject, &subject.clock, &Plan { size, begin: 0.0, end: budget, knobs }, &|_| ())
 }
 
 const SIZE: Size = Size { width: 96, height: 72 };
@@ -144,8 +144,7 @@ fn a_sweep_measures_every_way_of_the_grid() {
 #[test]
 fn budgets_are_kept() {
     for budget in [4.0, 12.0, 100.0] {
-        let subject =
-            Painting::new(Axes { trace_level: Some(10), adc_bailout: Some(0.004), lamps: Some(25) });
+        let subject = Painting::new(Axes { trace_level: Some(10), lamps: Some(25), ..Axes::default() });
         let size = Size { width: 200, height: 150 };
         let m = measured(&subject, size, budget).unwrap();
         let spent = subject.clock.seconds();

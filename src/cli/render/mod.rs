@@ -6,7 +6,7 @@ mod monitor;
 mod plan;
 mod report;
 
-pub use accuracy::{parse_error, parse_seconds};
+pub use accuracy::{parse_error, parse_seconds, quoted};
 pub use job::Task;
 pub use plan::{Plan, pool};
 

@@ -1,12 +1,12 @@
 //! Everything that was asked for, the same for all scenes of a batch.
 
 use super::accuracy::Accuracy;
-use crate::cli::args::{AaMethod, Corners, PictureArgs, RenderArgs};
+use crate::cli::args::{AaMethod, Corners, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
 use crate::picture::{Encoding, FileGamma};
 use crate::render::{Antialias, Method, Region, Settings};
-use crate::trace;
+use crate::trace::{self, Overrides};
 use std::sync::Mutex;
 
 /// The size of a picture that nobody asked for otherwise.
@@ -25,6 +25,7 @@ pub struct Plan {
     pub accuracy: Option<Accuracy>,
     pub block_size: u32,
     pub quality: u8,
+    pub overrides: Overrides,
     pub alpha: bool,
     pub bits: u8,
     pub file_gamma: FileGamma,
@@ -49,6 +50,7 @@ impl Plan {
             accuracy: Accuracy::of(p, &args.accuracy)?,
             block_size: Settings::BLOCK_SIZE,
             quality: p.quality.min(9),
+            overrides: overrides(&args.overrides),
             alpha: args.alpha,
             bits: if args.bits == "16" { 16 } else { 8 },
             file_gamma: FileGamma::Srgb,
@@ -75,9 +77,14 @@ impl Plan {
             height: self.height,
             quality: self.quality,
             alpha: self.alpha,
-            ..trace::Settings::default()
+            overrides: self.overrides,
         }
     }
+}
+
+fn overrides(args: &OverrideArgs) -> Overrides {
+    let OverrideArgs { trace_level, adc_bailout, area_samples, radiosity_count, media_samples } = *args;
+    Overrides { max_trace_level: trace_level, adc_bailout, area_samples, radiosity_count, media_samples }
 }
 
 /// Threads that trace; one per core if none are asked for.

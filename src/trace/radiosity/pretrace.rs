@@ -76,7 +76,7 @@ impl<'w> Pretrace<'w> {
     /// A tracer for [`Pretrace::trace`]; one per thread and pass.
     pub fn tracer(&self) -> Tracer<'w> {
         let mut tracer = Tracer::new(self.world, &self.settings);
-        tracer.radiosity = Some(Radiosity::new(self.world, self.lighting.clone(), true));
+        tracer.radiosity = Some(Radiosity::new(self.world, &self.settings, self.lighting.clone(), true));
         tracer
     }
 
