@@ -6,7 +6,7 @@
 //! with two threads.
 
 use glint::interp::interpret_str;
-use glint::render::{Settings as Rendering, Unobserved, pretrace};
+use glint::render::{Settings as Rendering, Unobserved, indirect};
 use glint::trace::{Settings, Tracer};
 use glint::world::World;
 use std::collections::BTreeMap;
@@ -53,9 +53,9 @@ fn pixels(name: &str, oracle: &Oracle, threads: usize) -> Vec<[f64; 3]> {
     let settings = Settings { width, height, ..Settings::default() };
     let rendering = Rendering { block_size: block_size(&text), ..Rendering::new(width, height) };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(64 << 20).build().unwrap();
-    let (lighting, _) = pretrace(&world, &settings, &rendering, &pool, &Unobserved);
+    let (light, _) = indirect(&world, &settings, &rendering, &pool, &Unobserved);
     let picture = std::sync::Mutex::new(glint::picture::Picture::new(width, height));
-    let sampler = || Tracer::lit(&world, &settings, lighting.as_ref());
+    let sampler = || Tracer::lit(&world, &settings, &light);
     glint::render::render(&rendering, &pool, &picture, &Unobserved, sampler);
     let picture = picture.into_inner().unwrap();
     let stored = |c: f32| (f64::from(c.clamp(0.0, 1.0)) * 65535.0).round() / 65535.0;

@@ -8,6 +8,7 @@ mod spot;
 
 pub use area::AreaLight;
 pub use cylinder::CylinderBeam;
+pub use fade::factor as fade_factor;
 pub use spot::SpotBeam;
 
 use crate::color::Rgb;

@@ -7,7 +7,7 @@ pub mod adaptive;
 mod antialias;
 mod block;
 mod grid;
-mod pretrace;
+mod indirect;
 mod recursive;
 mod sampler;
 #[cfg(test)]
@@ -15,7 +15,7 @@ pub(crate) mod synthetic;
 
 pub use antialias::{Antialias, Method};
 pub use block::{Block, blocks};
-pub use pretrace::pretrace;
+pub use indirect::indirect;
 
 use crate::picture::{Picture, Pixel};
 use std::sync::Mutex;

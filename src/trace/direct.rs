@@ -25,7 +25,7 @@ pub(super) struct Look<'a> {
 impl Look<'_> {
     /// `Some(true)` if light from `l` falls on the back and shines through, `Some(false)` on the front;
     /// `None` if it does not count.
-    fn is_lit_from_behind(&self, l: Vec3, both_sides: bool) -> Option<bool> {
+    pub(super) fn is_lit_from_behind(&self, l: Vec3, both_sides: bool) -> Option<bool> {
         if both_sides || self.normal.dot(l) >= LIT {
             Some(false)
         } else {
@@ -42,6 +42,7 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let world = self.world;
+        self.collects = self.photons.is_some() && world.photon_rules(site.hit).collect;
         let mut sum = Rgb::ZERO;
         if !site.hit.ignores_global_lights {
             for (i, light) in world.lights.iter().enumerate() {
@@ -112,7 +113,7 @@ impl Tracer<'_> {
     }
 
     /// What the layer sends to the viewer of light `color` from direction `l`.
-    fn answer(
+    pub(super) fn answer(
         &mut self,
         site: &Site,
         look: &Look,

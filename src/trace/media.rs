@@ -64,12 +64,12 @@ pub(super) struct Beam<'w> {
 
 /// The stretch being looked through.
 pub(super) struct Stretch<'a, 'w> {
-    ray: &'a Ray,
+    pub ray: &'a Ray,
     pub length: f64,
     /// Places in `Tracer::media`.
     pub media: SmallVec<[u32; 4]>,
     /// `None` for shadow rays, which ask for the dimming alone.
-    path: Option<&'a Path>,
+    pub path: Option<&'a Path>,
     pub beams: SmallVec<[Beam<'w>; 4]>,
 }
 
@@ -156,7 +156,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Settings of the medium with most intervals.
-    fn plan_of(&self, stretch: &Stretch) -> Plan {
+    pub(super) fn plan_of(&self, stretch: &Stretch) -> Plan {
         let all = || stretch.media.iter().map(|&m| &self.media[m as usize]);
         let mut first = stretch.media[0];
         for &m in &stretch.media {
@@ -173,7 +173,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The lights that light the stretch: those that light the object at its end.
-    fn beams(&self, ray: &Ray, length: f64, hit: Option<&Hit>) -> SmallVec<[Beam<'w>; 4]> {
+    pub(super) fn beams(&self, ray: &Ray, length: f64, hit: Option<&Hit>) -> SmallVec<[Beam<'w>; 4]> {
         let world = self.world;
         let global = if hit.is_some_and(|h| h.ignores_global_lights) { &[][..] } else { &world.lights[..] };
         let (first, end) = hit.map_or((0, 0), |h| h.group_lights);
@@ -201,8 +201,14 @@ impl<'w> Tracer<'w> {
             local.extinction += medium.extinction() * density;
             scattering += medium.media.scattering * density;
         }
-        if lit && scattering != Rgb::ZERO {
+        if scattering == Rgb::ZERO || stretch.is_shadow() {
+            return local;
+        }
+        if lit {
             local.glow += scattering * self.scattered(stretch, p, s);
+        }
+        if self.photons.is_some() {
+            local.glow += scattering * self.scattered_photons(stretch, p);
         }
         local
     }
@@ -235,7 +241,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The mean phase factor of the media; `cosine` is 1 when looking towards the light.
-    fn phase(&self, stretch: &Stretch, cosine: f64) -> f32 {
+    pub(super) fn phase(&self, stretch: &Stretch, cosine: f64) -> f32 {
         let all = stretch.media.iter().map(|&m| phase(self.media[m as usize].media, cosine));
         (all.sum::<f64>() / stretch.media.len() as f64) as f32
     }

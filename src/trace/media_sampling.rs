@@ -51,9 +51,9 @@ impl Plan {
 
 /// A part of the stretch.
 #[derive(Clone, Copy, Debug)]
-struct Interval {
-    start: f64,
-    length: f64,
+pub(super) struct Interval {
+    pub start: f64,
+    pub length: f64,
     lit: bool,
     /// Sums over the samples: light sent, its squares, optical depth.
     glow: Rgb,
@@ -81,7 +81,7 @@ impl Interval {
     }
 }
 
-type Intervals = SmallVec<[Interval; 4]>;
+pub(super) type Intervals = SmallVec<[Interval; 4]>;
 
 /// The light that the media on the stretch send, and their optical depth.
 pub(super) fn sampled(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan) -> (Rgb, Rgb) {
@@ -107,7 +107,7 @@ pub(super) fn sampled(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan) -> (R
 }
 
 /// Cuts the stretch into lit and unlit parts, and those into intervals.
-fn intervals(stretch: &Stretch, plan: &Plan) -> Intervals {
+pub(super) fn intervals(stretch: &Stretch, plan: &Plan) -> Intervals {
     let mut parts: SmallVec<[(f64, f64, bool); 8]> = SmallVec::new();
     let mut end = 0.0;
     for (from, to) in stretch.lit_parts() {

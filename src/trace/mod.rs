@@ -9,6 +9,7 @@ mod layers;
 mod media;
 mod media_sampling;
 mod path;
+pub mod photon;
 mod radiosity;
 mod rainbow;
 mod random;
@@ -20,8 +21,9 @@ mod sky;
 mod spectrum;
 mod tracer;
 
+pub use photon::{Photons, Shooting};
 pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile};
-pub use tracer::Tracer;
+pub use tracer::{Indirect, Tracer};
 
 pub use crate::picture::Pixel;
 

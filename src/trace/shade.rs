@@ -4,6 +4,7 @@
 use super::direct::Look;
 use super::layers::{self, Placed};
 use super::path::{Departure, Interiors, Path, Radiance};
+use super::photon::Nearby;
 use super::radiosity::Query;
 use super::refract::{self, Passage};
 use super::tracer::Tracer;
@@ -48,6 +49,8 @@ pub(super) struct Site<'a> {
     incidence: OnceCell<Incidence>,
     /// Diffuse light on the front and on the back, once asked for.
     diffuse: [Cell<Option<Rgb>>; 2],
+    /// Photons around the hit, once asked for.
+    pub photons: Cell<Option<Nearby>>,
 }
 
 /// What the layers leave to be traced.
@@ -93,6 +96,7 @@ impl<'a> Site<'a> {
             lit: None,
             incidence: OnceCell::new(),
             diffuse: Default::default(),
+            photons: Cell::default(),
         }
     }
 
@@ -152,6 +156,7 @@ impl<'w> Tracer<'w> {
             }
         }
         self.lit.truncate(base);
+        self.spare_nearby.extend(site.photons.take());
         plan
     }
 
@@ -206,7 +211,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The layer's shading normal; `last` is that of the layer above.
-    fn normal(&self, site: &Site, placed: &Placed, last: Vec3) -> Vec3 {
+    pub(super) fn normal(&self, site: &Site, placed: &Placed, last: Vec3) -> Vec3 {
         if placed.layer.normal.is_none() || self.settings.quality < 8 {
             return site.facing;
         }
@@ -214,7 +219,7 @@ impl<'w> Tracer<'w> {
         placed.normal(site.facing, &Context { hit: Some(&incidence), ..self.context })
     }
 
-    fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {
+    pub(super) fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {
         let pigment = &placed.layer.pigment;
         if self.settings.quality <= 5 && pigment.quick_color.is_some() {
             return pigment.quick_color;
@@ -226,7 +231,7 @@ impl<'w> Tracer<'w> {
         placed.color(&Context { hit: Some(&incidence), ..self.context })
     }
 
-    fn reflectivity(&self, site: &Site, finish: &Finish, normal: Vec3, color: Rgb) -> Rgb {
+    pub(super) fn reflectivity(&self, site: &Site, finish: &Finish, normal: Vec3, color: Rgb) -> Rgb {
         if self.settings.quality < 8 {
             return Rgb::ZERO;
         }
@@ -260,7 +265,8 @@ impl<'w> Tracer<'w> {
             }
             None => glow += finish.ambient * self.world.scene.globals.ambient_light,
         }
-        look.color * (glow * look.opacity + diffuse) + self.direct(site, look)
+        let caustics = if self.photons.is_some() { self.caustics(site, look) } else { Rgb::ZERO };
+        look.color * (glow * look.opacity + diffuse) + self.direct(site, look) + caustics
     }
 
     /// Diffuse light from other surfaces, on the front and through from the back.
@@ -400,7 +406,7 @@ fn joined(stacks: &[Through], ray: Ray, inside: Interiors, faded: Rgb) -> Onward
 }
 
 /// The largest component of the reflection as declared, or for fresnel as it is.
-fn declared_maximum(finish: &Finish, k: Rgb) -> f32 {
+pub(super) fn declared_maximum(finish: &Finish, k: Rgb) -> f32 {
     let r = &finish.reflection;
     if r.fresnel { k.max_element() } else { r.min.max_element().max(r.max.max_element()) }
 }

@@ -2,11 +2,12 @@
 
 use super::layers::{self, Placed};
 use super::path::{Departure, Interiors, Path};
+use super::photon::Kinds;
 use super::refract;
 use super::shade::Site;
 use super::tracer::Tracer;
 use crate::color::Rgb;
-use crate::light::{Arrival, is_dark};
+use crate::light::{Arrival, Light, is_dark};
 use crate::math::{EPSILON, Range, Ray};
 use crate::pattern::Context;
 use crate::world::{Hit, RayClass, WorldLight};
@@ -72,17 +73,15 @@ impl Tracer<'_> {
         if self.world.all_opaque() || end <= 0.0 {
             return if dims { color * self.dimmed(ray, distance, inside) } else { color };
         }
-        self.filtered(*ray, distance, end, inside, dims, color)
+        self.filtered((*ray, distance, end), inside, (dims, light), color)
     }
 
     /// Follows a ray that no opaque object stops from surface to surface.
     fn filtered(
         &mut self,
-        mut ray: Ray,
-        mut distance: f64,
-        mut end: f64,
+        (mut ray, mut distance, mut end): (Ray, f64, f64),
         inside: &Interiors,
-        dims: bool,
+        (dims, light): (bool, &Light),
         mut color: Rgb,
     ) -> Rgb {
         let mut inside = inside.clone();
@@ -97,6 +96,9 @@ impl Tracer<'_> {
             };
             if dims {
                 color *= self.dimmed(&ray, hit.t, &inside);
+            }
+            if self.collects && self.bends_photons(&hit, light) {
+                return Rgb::ZERO;
             }
             color *= self.surface_filter(&ray, &hit, &inside);
             if is_dark(color) {
@@ -115,6 +117,14 @@ impl Tracer<'_> {
             end -= hit.t;
         }
         Rgb::ZERO
+    }
+
+    /// Whether light through the object comes as photons instead.
+    fn bends_photons(&self, hit: &Hit, light: &Light) -> bool {
+        let rules = self.world.photon_rules(hit);
+        rules.target.is_some()
+            && Kinds::new(light, rules).refraction
+            && self.photons.as_ref().is_some_and(|p| !p.surface.is_empty())
     }
 
     /// What fog and atmospheric media leave of light over the first `length` of `ray`.

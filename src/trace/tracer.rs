@@ -1,5 +1,6 @@
 use super::media::Medium;
 use super::path::{Interiors, Path, Radiance, Veil};
+use super::photon::{Nearby, Photons};
 use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::Onward;
@@ -18,6 +19,13 @@ const FAR: f64 = 2e10;
 /// Surfaces that one ray passes straight through before it is given up.
 const MAX_PASSED: u32 = 1 << 16;
 
+/// Light that was spread over the scene before the picture is traced.
+#[derive(Clone, Debug, Default)]
+pub struct Indirect {
+    pub photons: Option<Arc<Photons>>,
+    pub radiosity: Option<Lighting>,
+}
+
 /// Follows rays through one world; one per thread.
 pub struct Tracer<'w> {
     pub(super) world: &'w World,
@@ -31,6 +39,12 @@ pub struct Tracer<'w> {
     pub(super) modern: bool,
     pub(super) context: Context<'static>,
     pub(super) radiosity: Option<Radiosity>,
+    /// The photon maps, unless they are empty.
+    pub(super) photons: Option<Arc<Photons>>,
+    /// Lists of photons to be used again.
+    pub(super) spare_nearby: Vec<Nearby>,
+    /// Whether the surface being lit takes photons: what refracts them casts a full shadow on it.
+    pub(super) collects: bool,
     lens: Option<Arc<Lens>>,
     /// What the camera stands in, once found; for cameras with one viewpoint.
     camera_inside: Option<Interiors>,
@@ -93,6 +107,9 @@ impl<'w> Tracer<'w> {
             modern: globals.effective_version >= 370,
             context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
             radiosity: None,
+            photons: None,
+            spare_nearby: Vec::new(),
+            collects: false,
             lens: None,
             camera_inside: None,
             media: Vec::new(),
@@ -111,13 +128,18 @@ impl<'w> Tracer<'w> {
         tracer
     }
 
-    /// A tracer that makes use of what a [`Pretrace`](super::Pretrace) found.
-    pub fn lit(world: &'w World, settings: &Settings, lighting: Option<&Lighting>) -> Self {
+    /// A tracer that makes use of photons and of what a [`Pretrace`](super::Pretrace) found.
+    pub fn lit(world: &'w World, settings: &Settings, indirect: &Indirect) -> Self {
         let mut tracer = Self::new(world, settings);
-        if let (Some(_), Some(lighting)) = (&tracer.radiosity, lighting) {
+        if let (Some(_), Some(lighting)) = (&tracer.radiosity, &indirect.radiosity) {
             tracer.radiosity = Some(Radiosity::new(world, settings, lighting.clone(), false));
         }
+        tracer.take_photons(indirect.photons.as_ref());
         tracer
+    }
+
+    pub(super) fn take_photons(&mut self, photons: Option<&Arc<Photons>>) {
+        self.photons = photons.filter(|p| !(p.surface.is_empty() && p.media.is_empty())).cloned();
     }
 
     /// Called before each block of the picture: what is kept from pixel to pixel depends on it alone.

@@ -6,7 +6,7 @@
 
 use super::compound::{Compound, Op};
 use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
-use super::hit::{InteriorId, RayClass, Shading, Surface, SurfaceLayer};
+use super::hit::{InteriorId, PhotonRules, PhotonTarget, RayClass, Shading, Surface, SurfaceLayer};
 use super::{Inside, WorldLight};
 use crate::material::{Attached, Texture};
 use crate::math::bvh::{Bvh, Quality};
@@ -29,6 +29,8 @@ pub(super) struct Flattened {
     pub interiors: Vec<Inside>,
     pub lights: Vec<WorldLight>,
     pub group_lights: Vec<WorldLight>,
+    /// What photons are shot at.
+    pub targets: Vec<PhotonTarget>,
     /// Objects that lights shine through, by [`WorldLight::projected_through`].
     pub projectors: Vec<Solid>,
     surface_numbers: HashMap<SurfaceKey, u32>,
@@ -55,6 +57,7 @@ struct Inherited {
     group_lights: (u32, u32),
     ignores_global_lights: bool,
     importance: Option<f32>,
+    photons: PhotonRules,
     /// Crossings of others survive where this contains them, so bounds are of the inside.
     in_intersection: bool,
     /// Inside a light group: its lights have been gathered already.
@@ -75,6 +78,7 @@ impl Inherited {
             group_lights: (0, 0),
             ignores_global_lights: false,
             importance: None,
+            photons: PhotonRules::NONE,
             in_intersection: false,
             in_group: false,
         }
@@ -108,10 +112,15 @@ impl Flattened {
                 }
             }
             Body::Csg { op: CsgOp::Union | CsgOp::LightGroup { .. }, children } if splits(object, outer) => {
+                let target = self.targets.len();
                 let inner = self.inherit(object, outer);
+                let first = self.geometry.root_bounds.len();
                 for child in children.iter() {
                     self.top(child, &inner);
                 }
+                let parts = &self.geometry.root_bounds[first..];
+                let bounds = parts.iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
+                self.aim_at(target, object, outer, bounds);
             }
             _ => self.root(object, outer),
         }
@@ -133,6 +142,7 @@ impl Flattened {
 
     /// A shape or a combination in world space with its bounds; `None` for lights.
     fn solid(&mut self, object: &Object, outer: &Inherited) -> Option<(Solid, Aabb)> {
+        let target = self.targets.len();
         let (solid, mut bounds) = match &object.body {
             Body::Light(source) => {
                 if !outer.in_group {
@@ -151,6 +161,7 @@ impl Flattened {
         let gates: Vec<(Solid, Aabb)> =
             object.bounded_by.iter().filter_map(|b| self.solid(b, &region(outer))).collect();
         bounds = shrunk(bounds, object, &gates);
+        self.aim_at(target, object, outer, bounds);
         let gates: Vec<Solid> =
             if keeps_bounds(object) { gates.into_iter().map(|(s, _)| s).collect() } else { Vec::new() };
         if clips.is_empty() && gates.is_empty() {
@@ -190,6 +201,7 @@ impl Flattened {
             uv_mapping: inner.uv_mapping,
             opaque: opaque_of(surface) && opaque_of(interior_surface) && opaque_parts,
             importance: inner.importance.map(f32::to_bits),
+            photons: inner.photons,
         };
         let shading = self.shading(shading);
         let inverted = inner.inverted && shape.is_solid();
@@ -281,12 +293,39 @@ impl Flattened {
             uv_mapping,
             inverted: outer.inverted != object.flags.inverse,
             importance: object.importance.or(outer.importance),
+            photons: self.photon_rules(object, outer),
             ..outer.clone()
         };
         if let Body::Csg { op: CsgOp::LightGroup { global_lights }, children } = &object.body {
             self.enter_group(&mut inner, children, *global_lights);
         }
         inner
+    }
+
+    /// The object's own words about photons, else those of what it stands in. The outermost object that is
+    /// a target is shot at as a whole.
+    fn photon_rules(&mut self, object: &Object, outer: &Inherited) -> PhotonRules {
+        let (own, outer_rules) = (&object.photons, &outer.photons);
+        let mut rules = PhotonRules {
+            target: outer_rules.target,
+            refraction: own.refraction.or(outer_rules.refraction),
+            reflection: own.reflection.or(outer_rules.reflection),
+            pass_through: own.pass_through || outer_rules.pass_through,
+            collect: own.collect && outer_rules.collect,
+        };
+        if let (None, Some(density)) = (rules.target, own.target) {
+            rules.target = Some(self.targets.len() as u32);
+            let ignores_global_lights = outer.ignores_global_lights;
+            self.targets.push(PhotonTarget { bounds: Aabb::EMPTY, density, rules, ignores_global_lights });
+        }
+        rules
+    }
+
+    /// Notes where target number `target` is, if `object` is a new one.
+    fn aim_at(&mut self, target: usize, object: &Object, outer: &Inherited, bounds: Aabb) {
+        if object.photons.target.is_some() && outer.photons.target.is_none() {
+            self.targets[target].bounds = bounds;
+        }
     }
 
     /// Gathers the lights of a light group, after those of the groups around it.
@@ -470,4 +509,6 @@ fn hidden(flags: &Flags) -> u8 {
         | bit(flags.no_reflection, RayClass::Reflected)
         | bit(flags.no_shadow, RayClass::Shadow)
         | bit(flags.no_radiosity, RayClass::Radiosity)
+        | bit(flags.no_image || flags.no_shadow, RayClass::Photon)
+        | bit(flags.no_reflection || flags.no_shadow, RayClass::ReflectedPhoton)
 }

@@ -1,5 +1,5 @@
 use crate::material::{Attached, Texture};
-use crate::math::{Transform, Vec3};
+use crate::math::{Aabb, Transform, Vec3};
 use crate::shape::Crossing;
 use std::sync::Arc;
 
@@ -49,6 +49,9 @@ pub enum RayClass {
     Shadow,
     /// A radiosity sample.
     Radiosity,
+    /// A photon, and one with a reflection in its history.
+    Photon,
+    ReflectedPhoton,
 }
 
 impl RayClass {
@@ -56,6 +59,31 @@ impl RayClass {
     pub(super) fn bit(self) -> u8 {
         1 << self as u8
     }
+}
+
+/// What an object does with photons. Switches that were not written are `None`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct PhotonRules {
+    /// The target in `World::targets` that the object is, or is part of.
+    pub target: Option<u32>,
+    pub refraction: Option<bool>,
+    pub reflection: Option<bool>,
+    pub pass_through: bool,
+    pub collect: bool,
+}
+
+impl PhotonRules {
+    pub(super) const NONE: PhotonRules =
+        PhotonRules { target: None, refraction: None, reflection: None, pass_through: false, collect: true };
+}
+
+/// An object that photons are shot at.
+#[derive(Clone, Copy, Debug)]
+pub struct PhotonTarget {
+    pub bounds: Aabb,
+    pub density: f32,
+    pub rules: PhotonRules,
+    pub ignores_global_lights: bool,
 }
 
 /// What objects tell the shading of their hits; few differ, so they are shared.
@@ -68,6 +96,7 @@ pub(super) struct Shading {
     pub opaque: bool,
     /// Bits of the radiosity importance, if the object says something about it.
     pub importance: Option<u32>,
+    pub photons: PhotonRules,
 }
 
 /// A texture as it sits on one object: layers bottom first, each with its own placement.

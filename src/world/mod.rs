@@ -13,7 +13,7 @@ mod stats;
 #[cfg(test)]
 mod tests;
 
-pub use hit::{Hit, InteriorId, RayClass, Surface, SurfaceLayer};
+pub use hit::{Hit, InteriorId, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
 pub use stats::Stats;
 
@@ -37,6 +37,8 @@ pub struct World {
     pub lights: Vec<WorldLight>,
     /// Lights of light groups; a hit's `group_lights` index into it.
     pub group_lights: Vec<WorldLight>,
+    /// What photons are shot at, in the order of the scene.
+    pub targets: Vec<PhotonTarget>,
     geometry: Geometry,
     surfaces: Vec<Surface>,
     part_surfaces: Vec<u32>,
@@ -45,6 +47,9 @@ pub struct World {
     projectors: Vec<Solid>,
     all_opaque: bool,
 }
+
+/// Surfaces of one projector that a ray is followed through.
+const MOST_PROJECTOR_SURFACES: usize = 1000;
 
 /// A light with the bodies that shape its beam, prepared.
 #[derive(Clone, Debug)]
@@ -87,6 +92,7 @@ impl World {
             scene,
             lights: flat.lights,
             group_lights: flat.group_lights,
+            targets: flat.targets,
             geometry: flat.geometry,
             surfaces: flat.surfaces,
             part_surfaces: flat.part_surfaces,
@@ -122,6 +128,19 @@ impl World {
             uv_mapping: shading.uv_mapping,
             opaque: shading.opaque,
         }
+    }
+
+    /// How far the last surface of projector `index` on the ray is.
+    pub fn behind_projector(&self, index: u32, ray: &Ray) -> Option<f64> {
+        let nearest = |from: f64| self.projector(index, ray, Range::new(from, f64::INFINITY));
+        let mut last = nearest(0.0)?;
+        for _ in 0..MOST_PROJECTOR_SURFACES {
+            match nearest(last * (1.0 + 1e-12)) {
+                Some(t) if t > last => last = t,
+                _ => break,
+            }
+        }
+        Some(last)
     }
 
     /// The nearest hit of the ray with projector `index` alone.
@@ -169,6 +188,12 @@ impl World {
     pub fn importance(&self, hit: &Hit) -> f32 {
         let shading = self.geometry.leaves[hit.item as usize].shading;
         self.shadings[shading as usize].importance.map_or(self.scene.globals.importance, f32::from_bits)
+    }
+
+    /// What the object does with photons.
+    pub fn photon_rules(&self, hit: &Hit) -> &PhotonRules {
+        let shading = self.geometry.leaves[hit.item as usize].shading;
+        &self.shadings[shading as usize].photons
     }
 
     /// The surface parameters of a hit: the shape's own, or world x and y.

@@ -11,7 +11,7 @@ use crate::cli::scene;
 use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture, PictureError};
 use crate::render::adaptive::{self, Clock};
-use crate::render::{pretrace, render};
+use crate::render::{indirect, render};
 use crate::trace::{Counters, Tracer};
 use crate::world::World;
 use std::path::PathBuf;
@@ -142,8 +142,8 @@ impl<'a> Job<'a> {
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let canvas = &live.canvas;
         let pool = &self.plan.pool;
-        let (lighting, counters) = pretrace(world, &settings, &rendering, pool, canvas);
-        let sampler = || Tracer::lit(world, &settings, lighting.as_ref());
+        let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
+        let sampler = || Tracer::lit(world, &settings, &light);
         let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
         total(counters, &tracers)
     }
@@ -160,8 +160,8 @@ impl<'a> Job<'a> {
         let late = accuracy.time_limit.map(|limit| limit - writing_seconds(self.plan));
         let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
         let (pool, canvas) = (&self.plan.pool, &live.canvas);
-        let (lighting, counters) = pretrace(world, &settings, &rendering, pool, canvas);
-        let tracer = || Tracer::lit(world, &settings, lighting.as_ref());
+        let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
+        let tracer = || Tracer::lit(world, &settings, &light);
         let outcome = adaptive::render(&sampling, pool, &canvas.picture, canvas, wall, tracer);
         let words = self.task.command(&self.plan.command);
         let reached = Reached::new(&outcome, self.plan.region, &words);

@@ -12,7 +12,7 @@ use crate::color::Gamma;
 use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture};
 use crate::render::adaptive::{self, Adaptive, Clock, Ended, Outcome};
-use crate::render::{Antialias, Observer, Region, Settings, pretrace, render};
+use crate::render::{Antialias, Observer, Region, Settings, indirect, render};
 use crate::trace::{self, Tracer};
 use crate::trade::{Axes, Knobs, Reference, Sampling, Size, Subject};
 use crate::world::World;
@@ -108,9 +108,9 @@ impl<'a> ScenePictures<'a> {
     ) -> (Picture, Outcome<()>) {
         let world = self.world();
         let size = Size { width: tracing.width, height: tracing.height };
-        let (lighting, _) = pretrace(&world, tracing, &self.settings(size, None), self.pool, until);
+        let (light, _) = indirect(&world, tracing, &self.settings(size, None), self.pool, until);
         let canvas = Mutex::new(Picture::new(size.width, size.height));
-        let tracer = || Tracer::lit(&world, tracing, lighting.as_ref());
+        let tracer = || Tracer::lit(&world, tracing, &light);
         let outcome = adaptive::render(sampling, self.pool, &canvas, until, &self.wall, tracer);
         let Outcome { ended, samples, rounds, rmse, .. } = outcome;
         (taken(canvas), Outcome { samplers: Vec::new(), ended, samples, rounds, rmse })
@@ -162,9 +162,9 @@ impl Subject for ScenePictures<'_> {
         };
         let world = self.world();
         let settings = self.settings(size, antialias);
-        let (lighting, _) = pretrace(&world, &tracing, &settings, self.pool, &until);
+        let (light, _) = indirect(&world, &tracing, &settings, self.pool, &until);
         let canvas = Mutex::new(Picture::new(size.width, size.height));
-        render(&settings, self.pool, &canvas, &until, || Tracer::lit(&world, &tracing, lighting.as_ref()));
+        render(&settings, self.pool, &canvas, &until, || Tracer::lit(&world, &tracing, &light));
         (!until.cancelled()).then(|| taken(canvas))
     }
 

@@ -42,7 +42,6 @@ impl Parser {
             Keyword::Photons => {
                 let settings = self.photon_settings()?;
                 self.scene.scene.globals.photons = Some(settings);
-                self.unsupported(span, "photons");
             }
             Keyword::Subsurface => {
                 let settings = self.subsurface_settings()?;

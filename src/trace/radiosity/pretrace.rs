@@ -5,7 +5,7 @@ use super::super::tracer::Tracer;
 use super::{Lighting, Radiosity, Sample, first_direction};
 use crate::math::random::{uniform, uniform_table};
 use crate::scene::RadiositySettings;
-use crate::trace::Settings;
+use crate::trace::{Photons, Settings};
 use crate::world::World;
 use std::sync::Arc;
 
@@ -17,6 +17,7 @@ pub type Tile = [u32; 4];
 pub struct Pretrace<'w> {
     world: &'w World,
     settings: Settings,
+    photons: Option<Arc<Photons>>,
     radiosity: RadiositySettings,
     lighting: Lighting,
     spacings: Vec<f64>,
@@ -49,7 +50,12 @@ const CYCLE: usize = 2047;
 
 impl<'w> Pretrace<'w> {
     /// `None` if the picture has no radiosity.
-    pub fn new(world: &'w World, settings: &Settings, tiles: impl Iterator<Item = Tile>) -> Option<Self> {
+    pub fn new(
+        world: &'w World,
+        settings: &Settings,
+        photons: Option<Arc<Photons>>,
+        tiles: impl Iterator<Item = Tile>,
+    ) -> Option<Self> {
         let lighting = Lighting::unknown(world, settings)?;
         let radiosity = world.scene.globals.radiosity.clone()?;
         let pool = lighting.directions.len();
@@ -62,7 +68,7 @@ impl<'w> Pretrace<'w> {
         };
         let tiles = tiles.enumerate().map(progress).collect();
         let spacings = spacings(settings.width.max(settings.height), &radiosity);
-        Some(Self { world, settings: settings.clone(), radiosity, lighting, spacings, tiles })
+        Some(Self { world, settings: settings.clone(), photons, radiosity, lighting, spacings, tiles })
     }
 
     pub fn passes(&self) -> usize {
@@ -77,6 +83,7 @@ impl<'w> Pretrace<'w> {
     pub fn tracer(&self) -> Tracer<'w> {
         let mut tracer = Tracer::new(self.world, &self.settings);
         tracer.radiosity = Some(Radiosity::new(self.world, &self.settings, self.lighting.clone(), true));
+        tracer.take_photons(self.photons.as_ref());
         tracer
     }
 

@@ -1,0 +1,118 @@
+use super::{Observer, Settings, blocks};
+use crate::trace::photon::Landed;
+use crate::trace::{self, Counters, Gathered, Indirect, Photons, Pretrace, Shooting, Tracer};
+use crate::world::World;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// Shots that a thread takes at once.
+const SHOTS: usize = 256;
+
+/// Spreads light over the scene before the picture is traced: photons, then diffuse light between surfaces,
+/// each if the scene asks for it. Also gives back what was counted.
+pub fn indirect(
+    world: &World,
+    tracing: &trace::Settings,
+    settings: &Settings,
+    pool: &rayon::ThreadPool,
+    observer: &dyn Observer,
+) -> (Indirect, Counters) {
+    let mut counters = Counters::default();
+    let photons =
+        Shooting::new(world, tracing).map(|shooting| shoot(shooting, pool, observer, &mut counters));
+    let tiles = blocks(settings.region, settings.block_size).into_iter().map(|b| {
+        let r = b.region;
+        [r.x0, r.y0, r.x1, r.y1]
+    });
+    let radiosity = Pretrace::new(world, tracing, photons.clone(), tiles).map(|mut pretrace| {
+        for pass in 0..pretrace.passes() {
+            let (gathered, counted) = trace_pass(&pretrace, pass, pool, observer);
+            counters += counted;
+            if observer.cancelled() {
+                break;
+            }
+            pretrace.merge(gathered);
+        }
+        pretrace.finish()
+    });
+    (Indirect { photons, radiosity }, counters)
+}
+
+/// All photons, salvo by salvo.
+fn shoot(
+    mut shooting: Shooting,
+    pool: &rayon::ThreadPool,
+    observer: &dyn Observer,
+    counters: &mut Counters,
+) -> Arc<Photons> {
+    let mut tracers: Vec<Mutex<Tracer>> =
+        (0..pool.current_num_threads()).map(|_| Mutex::new(shooting.tracer())).collect();
+    while let Some(shots) = shooting.aim() {
+        if observer.cancelled() {
+            break;
+        }
+        let landed = if shooting.is_serial() {
+            let tracer = tracers[0].get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+            pool.install(|| shooting.follow_serially(tracer))
+        } else {
+            follow(&shooting, &tracers, shots, pool)
+        };
+        shooting.land(landed);
+    }
+    for tracer in tracers {
+        *counters += tracer.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()).counters();
+    }
+    pool.install(|| shooting.finish())
+}
+
+/// One salvo over all threads, in the order of the shots.
+fn follow(
+    shooting: &Shooting,
+    tracers: &[Mutex<Tracer>],
+    shots: usize,
+    pool: &rayon::ThreadPool,
+) -> Vec<(usize, Landed)> {
+    let next = AtomicUsize::new(0);
+    let all = Mutex::new(Vec::new());
+    pool.broadcast(|thread| {
+        let mut tracer = tracers[thread.index()].lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        loop {
+            let first = next.fetch_add(SHOTS, Ordering::Relaxed);
+            if first >= shots {
+                return;
+            }
+            let landed = shooting.follow(&mut tracer, first..shots.min(first + SHOTS));
+            all.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push((first, landed));
+        }
+    });
+    let mut all = all.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
+    all.sort_by_key(|&(first, _)| first);
+    all.into_iter().flat_map(|(_, landed)| landed).collect()
+}
+
+/// All tiles of one pass, in the order of the tiles.
+fn trace_pass(
+    pretrace: &Pretrace,
+    pass: usize,
+    pool: &rayon::ThreadPool,
+    observer: &dyn Observer,
+) -> (Vec<Gathered>, Counters) {
+    let next = AtomicUsize::new(0);
+    let all = Mutex::new(Vec::with_capacity(pretrace.tiles()));
+    let counted = pool.broadcast(|_| {
+        let mut tracer = pretrace.tracer();
+        loop {
+            let tile = next.fetch_add(1, Ordering::Relaxed);
+            if tile >= pretrace.tiles() || observer.cancelled() {
+                return tracer.counters();
+            }
+            let gathered = pretrace.trace(&mut tracer, pass, tile);
+            all.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push((tile, gathered));
+        }
+    });
+    let mut all = all.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
+    all.sort_by_key(|&(tile, _)| tile);
+    let mut counters = Counters::default();
+    counted.into_iter().for_each(|c| counters += c);
+    (all.into_iter().map(|(_, gathered)| gathered).collect(), counters)
+}

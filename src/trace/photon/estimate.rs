@@ -1,0 +1,92 @@
+//! The light that photons around a point stand for.
+//!
+//! On surfaces the energies over the area of the search, `sum E / (pi r^2)`, each as a light of its own
+//! direction; in media over the volume, `3 sum E / (4 pi r^3)`, scattered towards the eye.
+
+use super::super::direct::Look;
+use super::super::media::Stretch;
+use super::super::shade::Site;
+use super::super::tracer::Tracer;
+use super::map::Nearby;
+use crate::color::Rgb;
+use crate::math::Vec3;
+use std::f64::consts::PI;
+
+/// Photons that graze the surface count as if they came from no less than this cosine.
+const LEAST_COSINE: f64 = 0.1;
+
+/// The second search reaches this much farther.
+const WIDER: f64 = 3.0;
+
+/// Densities below count as this.
+const NO_DENSITY: f64 = 1e-16;
+
+impl Tracer<'_> {
+    /// Light that photons bring to a layer.
+    pub(in crate::trace) fn caustics(&mut self, site: &Site, look: &Look) -> Rgb {
+        let f = look.finish;
+        let answers = f.diffuse != 0.0 || f.diffuse_back != 0.0 || f.specular != 0.0 || f.phong != 0.0;
+        let Some(photons) = self.photons.clone() else { return Rgb::ZERO };
+        if !answers || photons.surface.is_empty() || !self.world.photon_rules(site.hit).collect {
+            return Rgb::ZERO;
+        }
+        let nearby = match site.photons.take() {
+            Some(nearby) => nearby,
+            None => self.photons_around(site.hit.point, look.normal),
+        };
+        let mut sum = Rgb::ZERO;
+        for &(_, place) in &nearby.members {
+            let photon = &photons.surface.photons()[place as usize];
+            let towards = photon.towards();
+            let Some(behind) = look.is_lit_from_behind(towards, site.hit.double_illuminate) else { continue };
+            let cosine = site.facing.dot(towards).clamp(LEAST_COSINE, 1.0);
+            let light = photon.energy() / cosine as f32;
+            sum += self.answer(site, look, towards, light, behind, false);
+        }
+        let area = PI * nearby.radius * nearby.radius;
+        site.photons.set(Some(nearby));
+        sum / area as f32
+    }
+
+    /// The photons that count at a point of a surface; where they are too few, those from farther around.
+    fn photons_around(&mut self, point: Vec3, normal: Vec3) -> Nearby {
+        let mut nearby = self.spare_nearby.pop().unwrap_or_default();
+        let Some(photons) = self.photons.clone() else { return nearby };
+        let s = &photons.settings;
+        let most = s.gather_max as usize;
+        photons.surface.gather(point, photons.surface_radius, most, Some(normal), &mut nearby);
+        if nearby.members.len() >= s.gather_min as usize {
+            return nearby;
+        }
+        let mut wider = self.spare_nearby.pop().unwrap_or_default();
+        photons.surface.gather(point, WIDER * photons.surface_radius, most, Some(normal), &mut wider);
+        let density = |n: &Nearby| n.members.len() as f64 / (n.radius * n.radius);
+        let before = density(&nearby).max(NO_DENSITY);
+        let grows = (density(&wider) - before) / before;
+        let some = (1..s.expand_min as usize).contains(&wider.members.len());
+        if grows < s.expand_increase || some {
+            std::mem::swap(&mut nearby, &mut wider);
+        }
+        self.spare_nearby.push(wider);
+        nearby
+    }
+
+    /// Light of photons at a point in media that is scattered along the ray, for scattering 1.
+    pub(in crate::trace) fn scattered_photons(&mut self, stretch: &Stretch, p: Vec3) -> Rgb {
+        let Some(photons) = self.photons.clone() else { return Rgb::ZERO };
+        if photons.media.is_empty() {
+            return Rgb::ZERO;
+        }
+        let mut nearby = self.spare_nearby.pop().unwrap_or_default();
+        let most = photons.settings.gather_max as usize;
+        photons.media.gather(p, photons.media_radius, most, None, &mut nearby);
+        let mut sum = Rgb::ZERO;
+        for &(_, place) in &nearby.members {
+            let photon = &photons.media.photons()[place as usize];
+            sum += self.phase(stretch, photon.towards().dot(stretch.ray.dir)) * photon.energy();
+        }
+        let volume = 4.0 / 3.0 * PI * nearby.radius.powi(3);
+        self.spare_nearby.push(nearby);
+        sum / volume as f32
+    }
+}
