@@ -5,16 +5,13 @@ use crate::picture::other::{self, Kind};
 use crate::picture::{Encoding, Output, Picture, PictureError, exr, png};
 use std::path::{Path, PathBuf};
 
-/// A picture's file format, by its name's extension.
+/// A picture's file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     Png,
     Exr,
-    Targa,
-    Ppm,
-    Bmp,
-    Jpeg,
-    Hdr,
+    /// Those that only POV-Ray's command line writes.
+    Other(Kind),
 }
 
 impl Format {
@@ -23,11 +20,11 @@ impl Format {
         match self {
             Format::Png => "png",
             Format::Exr => "exr",
-            Format::Targa => "tga",
-            Format::Ppm => "ppm",
-            Format::Bmp => "bmp",
-            Format::Jpeg => "jpg",
-            Format::Hdr => "hdr",
+            Format::Other(Kind::Targa | Kind::PackedTarga) => "tga",
+            Format::Other(Kind::Ppm) => "ppm",
+            Format::Other(Kind::Bmp) => "bmp",
+            Format::Other(Kind::Jpeg(_)) => "jpg",
+            Format::Other(Kind::Hdr) => "hdr",
         }
     }
 
@@ -67,14 +64,13 @@ impl Target {
     }
 
     pub fn write(&self, picture: &Picture, encoding: &Encoding) -> Result<(), PictureError> {
+        if self.output == Output::Nowhere {
+            return Ok(());
+        }
         let bytes = match self.format {
             Format::Png => png::encode(picture, encoding)?,
             Format::Exr => exr::encode(picture, encoding)?,
-            Format::Targa => other::encode(picture, encoding, Kind::Targa)?,
-            Format::Ppm => other::encode(picture, encoding, Kind::Ppm)?,
-            Format::Bmp => other::encode(picture, encoding, Kind::Bmp)?,
-            Format::Jpeg => other::encode(picture, encoding, Kind::Jpeg)?,
-            Format::Hdr => other::encode(picture, encoding, Kind::Hdr)?,
+            Format::Other(kind) => other::encode(picture, encoding, kind)?,
         };
         self.output.write(&bytes)
     }

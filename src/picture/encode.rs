@@ -5,8 +5,9 @@
 //! not premultiplied: the working colour is divided by its coverage first; a colour that is brighter than
 //! its coverage raises the coverage instead of being clipped.
 
+use super::dither::{self, Dither};
 use super::{Picture, Pixel};
-use crate::color::{Gamma, Rgb, grey, srgb_from_linear};
+use crate::color::{Gamma, Rgb, grey, linear_from_srgb, srgb_from_linear};
 
 /// The curve of the values in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -25,16 +26,24 @@ pub struct Encoding {
     /// Bits of a channel, 5 to 16.
     pub bits: u8,
     pub alpha: bool,
+    /// One grey value instead of three colours.
+    pub grey: bool,
+    pub dither: Dither,
 }
 
 impl Encoding {
     pub fn new(working: Gamma) -> Self {
-        Self { working, file: FileGamma::default(), bits: 8, alpha: false }
+        Self { working, file: FileGamma::default(), bits: 8, alpha: false, grey: false, dither: Dither::None }
     }
 
-    /// Channels of a pixel in the file.
-    pub fn channels(&self) -> usize {
-        if self.alpha { 4 } else { 3 }
+    /// The channels of a pixel in the file, by their places in red, green, blue, alpha.
+    fn channels(&self) -> &'static [usize] {
+        match (self.grey, self.alpha) {
+            (false, false) => &[0, 1, 2],
+            (false, true) => &[0, 1, 2, 3],
+            (true, false) => &[0],
+            (true, true) => &[0, 3],
+        }
     }
 
     /// The largest quantised value.
@@ -49,8 +58,7 @@ impl Encoding {
             (Gamma::Unmanaged, _) => c,
             (Gamma::Srgb, FileGamma::Srgb) => c,
             (Gamma::Power(w), FileGamma::Power(f)) if w == f => c,
-            (working, FileGamma::Srgb) => srgb_from_linear(working.decode(c)),
-            (working, FileGamma::Power(f)) => working.decode(c).max(0.0).powf(1.0 / f),
+            (working, _) => self.file_value(working.decode(c)),
         }
     }
 
@@ -63,23 +71,85 @@ impl Encoding {
 
     /// The quantised channels of one pixel; the fourth is alpha.
     pub fn pixel(&self, p: Pixel) -> [u16; 4] {
-        let (rgb, alpha) = if self.alpha { unmultiplied(p) } else { (p.rgb, 1.0) };
+        let (rgb, alpha) = self.split(p);
         let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c) as f32));
         [r, g, b, self.quantise(alpha)]
     }
 
-    /// All quantised channels, row by row, three or four a pixel.
+    /// The same with something added to each encoded value, in steps of the file's values.
+    pub(super) fn offset_pixel(&self, p: Pixel, steps: f32) -> [u16; 4] {
+        let (rgb, alpha) = self.split(p);
+        let offset = steps / f32::from(self.max());
+        let [r, g, b] = rgb.to_array().map(|c| self.quantise(self.curve(c) as f32 + offset));
+        [r, g, b, self.quantise(alpha + offset)]
+    }
+
+    /// Light of the three colours, and alpha.
+    pub(super) fn light_channels(&self, p: Pixel) -> [f32; 4] {
+        let (rgb, alpha) = self.split(p);
+        let [r, g, b] = rgb.to_array().map(|c| self.working.decode(f64::from(c)) as f32);
+        [r, g, b, alpha]
+    }
+
+    pub(super) fn quantised_light(&self, [r, g, b, alpha]: [f32; 4]) -> [u16; 4] {
+        let file = |c: f32| self.quantise(self.file_value(f64::from(c)) as f32);
+        [file(r), file(g), file(b), self.quantise(alpha)]
+    }
+
+    /// The light that quantised values stand for.
+    pub(super) fn shown_light(&self, [r, g, b, alpha]: [u16; 4]) -> [f32; 4] {
+        let share = |q: u16| f64::from(q) / f64::from(self.max());
+        let light = |q: u16| match (self.working, self.file) {
+            (Gamma::Unmanaged, _) => share(q),
+            (_, FileGamma::Srgb) => linear_from_srgb(share(q)),
+            (_, FileGamma::Power(f)) => share(q).powf(f),
+        };
+        [light(r) as f32, light(g) as f32, light(b) as f32, share(alpha) as f32]
+    }
+
+    /// The file value of light.
+    fn file_value(&self, light: f64) -> f64 {
+        match (self.working, self.file) {
+            (Gamma::Unmanaged, _) => light,
+            (_, FileGamma::Srgb) => srgb_from_linear(light),
+            (_, FileGamma::Power(f)) => light.max(0.0).powf(1.0 / f),
+        }
+    }
+
+    /// Colour and alpha as they are encoded.
+    fn split(&self, p: Pixel) -> (Rgb, f32) {
+        if self.alpha { unmultiplied(p) } else { (p.rgb, 1.0) }
+    }
+
+    /// The picture with the grey value of its working colours in all channels.
+    fn in_grey(picture: &Picture) -> Picture {
+        let pixels = picture.pixels.iter().map(|p| Pixel::new(Rgb::splat(grey(p.rgb)), p.transmit));
+        Picture { pixels: pixels.collect(), ..*picture }
+    }
+
+    /// All quantised channels, row by row.
     pub fn samples(&self, picture: &Picture) -> Vec<u16> {
-        let steps =
-            (self.bits <= Steps::MAX_BITS && picture.pixels.len() > Steps::WORTH).then(|| Steps::of(self));
-        let n = self.channels();
-        let mut out = Vec::with_capacity(picture.pixels.len() * n);
+        if self.grey {
+            return self.samples_of(&Encoding::in_grey(picture));
+        }
+        self.samples_of(picture)
+    }
+
+    fn samples_of(&self, picture: &Picture) -> Vec<u16> {
+        let channels = self.channels();
+        let mut out = Vec::with_capacity(picture.pixels.len() * channels.len());
+        let mut put = |pixel: [u16; 4]| out.extend(channels.iter().map(|&c| pixel[c]));
+        if self.dither != Dither::None {
+            dither::samples(picture, self, self.dither).into_iter().for_each(put);
+            return out;
+        }
+        let worth = self.bits <= Steps::MAX_BITS && picture.pixels.len() > Steps::WORTH && !self.alpha;
+        let steps = worth.then(|| Steps::of(self));
         for &p in &picture.pixels {
-            let sample = match &steps {
-                Some(steps) if !self.alpha => [p.rgb.x, p.rgb.y, p.rgb.z, 1.0].map(|c| steps.at(c)),
-                _ => self.pixel(p),
-            };
-            out.extend_from_slice(&sample[..n]);
+            put(match &steps {
+                Some(steps) => [p.rgb.x, p.rgb.y, p.rgb.z, 1.0].map(|c| steps.at(c)),
+                None => self.pixel(p),
+            });
         }
         out
     }
@@ -220,6 +290,20 @@ mod tests {
             assert_eq!(file_value(Gamma::Srgb, FileGamma::Srgb, 8, c), i);
             assert_eq!(file_value(Gamma::Power(2.2), FileGamma::Power(2.2), 8, c), i);
         }
+    }
+
+    /// As measured: the reference takes the grey value before any curve.
+    #[test]
+    fn grey_is_of_working_values() {
+        let mut picture = Picture::new(1, 1);
+        picture.set(0, 0, Pixel::new(Rgb::new(0.2, 0.5, 0.8), 0.0));
+        let grey_of = |working, file| {
+            let e = Encoding { grey: true, bits: 16, file, ..Encoding::new(working) };
+            e.samples(&picture)
+        };
+        let expected = (0.297 * 0.2 + 0.589 * 0.5 + 0.114 * 0.8) * 65535.0_f64;
+        assert_eq!(grey_of(Gamma::Srgb, FileGamma::Srgb), [expected.round() as u16]);
+        assert_eq!(grey_of(Gamma::Power(1.0), FileGamma::Power(1.0)), [expected.round() as u16]);
     }
 
     /// `rgbt <1, .5, .25, .4>` over nothing: the working colour is premultiplied.

@@ -7,13 +7,15 @@ use std::path::{Path, PathBuf};
 pub enum Output {
     File(PathBuf),
     Stdout,
+    /// The picture is only wanted for what is said about it.
+    Nowhere,
 }
 
 impl Output {
     pub fn path(&self) -> Option<&Path> {
         match self {
             Output::File(path) => Some(path),
-            Output::Stdout => None,
+            Output::Stdout | Output::Nowhere => None,
         }
     }
 
@@ -25,6 +27,7 @@ impl Output {
                 let mut out = io::stdout().lock();
                 out.write_all(bytes).and_then(|()| out.flush())
             }
+            Output::Nowhere => Ok(()),
         };
         result.map_err(|error| PictureError::Io { place: self.to_string(), error })
     }
@@ -35,6 +38,7 @@ impl fmt::Display for Output {
         match self {
             Output::File(path) => path.display().fmt(f),
             Output::Stdout => f.write_str("-"),
+            Output::Nowhere => f.write_str("(no file)"),
         }
     }
 }

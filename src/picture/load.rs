@@ -47,6 +47,16 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Values, String> {
     Ok(Values { width: wide.width(), height: wide.height(), pixels: wide.pixels().map(pixel).collect() })
 }
 
+/// Width and height of a picture file, if it is one.
+pub fn size(path: &Path) -> Option<(u32, u32)> {
+    if path.extension().is_some_and(|e| e == "exr") {
+        let meta = ::exr::meta::MetaData::read_from_file(path, false).ok()?;
+        let size = meta.headers.first()?.layer_size;
+        return Some((size.0 as u32, size.1 as u32));
+    }
+    image::ImageReader::open(path).ok()?.into_dimensions().ok()
+}
+
 /// Width and height, and the channels red, green, blue and alpha row by row.
 type Channels = ((u32, u32), Vec<[f32; 4]>);
 

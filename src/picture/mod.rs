@@ -4,6 +4,7 @@
 //! [`png`] and [`exr`] write files, [`compare`] measures how far two pictures are apart.
 
 pub mod compare;
+mod dither;
 pub mod embed;
 pub mod encode;
 pub mod exr;
@@ -13,6 +14,7 @@ pub mod load;
 pub mod other;
 pub mod png;
 
+pub use dither::Dither;
 pub use encode::{Encoding, FileGamma};
 pub use file::{Output, PictureError};
 

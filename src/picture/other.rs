@@ -2,44 +2,49 @@
 //!
 //! | type | channels | values |
 //! |------|----------|--------|
-//! | Targa, BMP | 3, or 4 with alpha | 8 bit, encoded |
-//! | PPM | 3 | 8 bit, 16 where more are asked for, encoded |
+//! | Targa, plain or run-length encoded, BMP | 3, or 4 with alpha | 8 bit, encoded |
+//! | PPM | 3, or 1 in grey | 5 to 16 bit, encoded |
 //! | JPEG | 3 | 8 bit, encoded |
 //! | HDR | 3 | linear light, shared exponent |
 
 use super::{Encoding, Picture, PictureError};
+use crate::color::Gamma;
 use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::TgaEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageResult, Rgb};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Targa,
+    /// Run-length encoded.
+    PackedTarga,
     Ppm,
     Bmp,
-    Jpeg,
+    /// With the quality, 1 to 100.
+    Jpeg(u8),
     Hdr,
 }
-
-/// JPEG files lose as little as the format allows.
-const JPEG_QUALITY: u8 = 95;
 
 /// The bytes of a file.
 pub fn encode(picture: &Picture, encoding: &Encoding, kind: Kind) -> Result<Vec<u8>, PictureError> {
     let mut out = Vec::new();
-    let wide = kind == Kind::Ppm && encoding.bits > 8;
+    // Grey PPM files of the reference hold working values as they are.
+    let plain_grey = encoding.grey && kind == Kind::Ppm;
     let e = Encoding {
-        bits: if wide { 16 } else { 8 },
-        alpha: encoding.alpha && matches!(kind, Kind::Targa | Kind::Bmp),
+        working: if plain_grey { Gamma::Unmanaged } else { encoding.working },
+        bits: if kind == Kind::Ppm { encoding.bits } else { 8 },
+        alpha: encoding.alpha && matches!(kind, Kind::Targa | Kind::PackedTarga | Kind::Bmp),
+        grey: plain_grey,
         ..*encoding
     };
     let color = if e.alpha { ExtendedColorType::Rgba8 } else { ExtendedColorType::Rgb8 };
     let narrow = || e.samples(picture).iter().map(|&s| s as u8).collect::<Vec<u8>>();
     let (w, h) = (picture.width, picture.height);
     let result = match kind {
-        Kind::Targa => TgaEncoder::new(&mut out).write_image(&narrow(), w, h, color),
+        Kind::Targa => TgaEncoder::new(&mut out).disable_rle().write_image(&narrow(), w, h, color),
+        Kind::PackedTarga => TgaEncoder::new(&mut out).write_image(&narrow(), w, h, color),
         Kind::Bmp => BmpEncoder::new(&mut out).write_image(&narrow(), w, h, color),
-        Kind::Jpeg => {
-            JpegEncoder::new_with_quality(&mut out, JPEG_QUALITY).write_image(&narrow(), w, h, color)
+        Kind::Jpeg(quality) => {
+            JpegEncoder::new_with_quality(&mut out, quality).write_image(&narrow(), w, h, color)
         }
         Kind::Ppm => return Ok(ppm(&e.samples(picture), &e, w, h)),
         Kind::Hdr => hdr(picture, &e, &mut out),
@@ -51,7 +56,8 @@ pub fn encode(picture: &Picture, encoding: &Encoding, kind: Kind) -> Result<Vec<
 }
 
 fn ppm(samples: &[u16], encoding: &Encoding, width: u32, height: u32) -> Vec<u8> {
-    let mut out = format!("P6\n{width} {height}\n{}\n", encoding.max()).into_bytes();
+    let magic = if encoding.grey { "P5" } else { "P6" };
+    let mut out = format!("{magic}\n{width} {height}\n{}\n", encoding.max()).into_bytes();
     if encoding.bits > 8 {
         out.extend(samples.iter().flat_map(|s| s.to_be_bytes()));
     } else {
@@ -69,7 +75,7 @@ fn hdr(picture: &Picture, encoding: &Encoding, out: &mut Vec<u8>) -> ImageResult
 mod tests {
     use super::super::Pixel;
     use super::*;
-    use crate::color::{self, Gamma};
+    use crate::color;
 
     fn sample() -> Picture {
         let mut p = Picture::new(3, 2);
@@ -84,6 +90,7 @@ mod tests {
         let e = Encoding { alpha: true, ..Encoding::new(Gamma::Unmanaged) };
         for (kind, format) in [
             (Kind::Targa, image::ImageFormat::Tga),
+            (Kind::PackedTarga, image::ImageFormat::Tga),
             (Kind::Bmp, image::ImageFormat::Bmp),
             (Kind::Ppm, image::ImageFormat::Pnm),
         ] {
@@ -97,11 +104,13 @@ mod tests {
     }
 
     #[test]
-    fn ppm_may_have_sixteen_bits() {
+    fn ppm_may_have_other_depths_and_grey() {
         let e = Encoding { bits: 12, ..Encoding::new(Gamma::Unmanaged) };
         let bytes = encode(&sample(), &e, Kind::Ppm).unwrap();
-        assert_eq!(&bytes[..13], b"P6\n3 2\n65535\n");
-        assert_eq!(&bytes[13..21], &[255, 255, 255, 255, 255, 255, 128, 0]);
+        assert_eq!(&bytes[..12], b"P6\n3 2\n4095\n");
+        assert_eq!(&bytes[12..20], &[15, 255, 15, 255, 15, 255, 8, 0]);
+        let e = Encoding { grey: true, alpha: true, ..Encoding::new(Gamma::Power(1.0)) };
+        assert_eq!(encode(&sample(), &e, Kind::Ppm).unwrap(), b"P5\n3 2\n255\n\xff\x80\x40\0\0\0");
     }
 
     #[test]
@@ -111,7 +120,7 @@ mod tests {
         let bytes = encode(&p, &Encoding::new(Gamma::Power(1.0)), Kind::Hdr).unwrap();
         let image = image::load_from_memory(&bytes).unwrap().to_rgb32f();
         assert!((image.get_pixel(0, 0).0[0] - 4.0).abs() < 0.05);
-        let jpeg = encode(&sample(), &Encoding::new(Gamma::Unmanaged), Kind::Jpeg).unwrap();
+        let jpeg = encode(&sample(), &Encoding::new(Gamma::Unmanaged), Kind::Jpeg(85)).unwrap();
         assert!(jpeg.starts_with(&[0xFF, 0xD8]));
     }
 }

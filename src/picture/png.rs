@@ -8,12 +8,18 @@ use ::png::{BitDepth, ColorType, Compression, Encoder, ScaledFloat, SrgbRenderin
 
 /// The bytes of a PNG file.
 pub fn encode(picture: &Picture, encoding: &Encoding) -> Result<Vec<u8>, PictureError> {
+    let color = match (encoding.grey, encoding.alpha) {
+        (false, false) => ColorType::Rgb,
+        (false, true) => ColorType::Rgba,
+        (true, false) => ColorType::Grayscale,
+        (true, true) => ColorType::GrayscaleAlpha,
+    };
     let samples = encoding.samples(picture);
     let bytes =
         if encoding.bits > 8 { wide(&samples, encoding.bits) } else { narrow(&samples, encoding.bits) };
     let mut out = Vec::with_capacity(bytes.len() / 2 + 1024);
     let mut encoder = Encoder::new(&mut out, picture.width, picture.height);
-    encoder.set_color(if encoding.alpha { ColorType::Rgba } else { ColorType::Rgb });
+    encoder.set_color(color);
     encoder.set_depth(if encoding.bits > 8 { BitDepth::Sixteen } else { BitDepth::Eight });
     encoder.set_compression(Compression::Fast);
     match encoding.file {

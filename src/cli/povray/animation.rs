@@ -11,24 +11,28 @@ pub struct Animation {
     pub frames: Vec<(Frame, String)>,
 }
 
+/// More frames than anybody waits for, fewer than fill the memory.
+const MAX_FRAMES: i64 = 1_000_000;
+
 impl Animation {
-    /// A still picture is one frame without a number; an animation is one that has a first or last frame.
+    /// As measured: a picture is still without a first or last frame, or where both are 0 or both are 1.
     pub fn of(settings: &Settings) -> Result<Animation, Failure> {
-        let (initial, last) = (settings.int("Initial_Frame"), settings.int("Final_Frame"));
-        if initial.unwrap_or(0) <= 0 && last.unwrap_or(0) <= 0 {
+        let number = |keyword: &str| settings.int(keyword).map(|n| n.max(0));
+        let (initial, last) = (number("Initial_Frame"), number("Final_Frame"));
+        if matches!((initial.unwrap_or(0), last.unwrap_or(0)), (0, 0) | (1, 1)) {
             return Ok(Animation { frames: vec![(still(settings), String::new())] });
         }
-        let first = initial.unwrap_or(1).max(0);
-        let last = last.unwrap_or(first);
-        if last < first {
-            return Err(Failure::usage(format!(
-                "the final frame {last} comes before the initial frame {first}"
-            )));
-        }
+        let first = initial.unwrap_or(1);
+        let last = last.unwrap_or(first).max(first);
         let cyclic = settings.flag("Cyclic_Animation", false);
         let end = last + i64::from(cyclic);
-        let (low, high) = subset(settings, first, last)?;
+        let (low, high) = subset(settings, first, last);
         let step = settings.int("Frame_Step").unwrap_or(1).max(1);
+        if high - low > MAX_FRAMES {
+            return Err(Failure::usage(format!(
+                "frames {low} to {high}: an animation has at most {MAX_FRAMES}"
+            )));
+        }
         let digits = end.to_string().len();
         let frames = (low..=high).step_by(step as usize);
         let frames = frames.map(|n| (frame(settings, n, first, end), format!("{n:0digits$}")));
@@ -60,19 +64,16 @@ fn frame(settings: &Settings, number: i64, first: i64, end: i64) -> Frame {
 }
 
 /// The first and the last frame that are rendered; between 0 and 1 a share of the number of frames is meant,
-/// whatever the first one's number is.
-fn subset(settings: &Settings, first: i64, last: i64) -> Result<(i64, i64), Failure> {
+/// whatever the first one's number is. The last one may lie beyond the animation's end: the clock goes on.
+fn subset(settings: &Settings, first: i64, last: i64) -> (i64, i64) {
     let share = |v: f64| ((last - first + 1) as f64 * v) as i64;
     let number = |keyword: &str, whole: i64| match settings.float(keyword) {
         None => whole,
         Some(v) if v > 0.0 && v < 1.0 => share(v),
         Some(v) => v as i64,
     };
-    let (low, high) = (number("Subset_Start_Frame", first), number("Subset_End_Frame", last));
-    if low < first || high > last || low > high {
-        return Err(Failure::usage(format!("frames {low} to {high} are not among frames {first} to {last}")));
-    }
-    Ok((low, high))
+    let low = number("Subset_Start_Frame", first).max(first);
+    (low, number("Subset_End_Frame", last).max(low))
 }
 
 #[cfg(test)]
@@ -125,17 +126,26 @@ mod tests {
         assert_eq!(frames[8], (8, 0.8, 10, "08".to_owned()));
     }
 
+    /// As measured: what lies outside is moved to the nearest frame, and the end may be passed.
     #[test]
-    fn wrong_ranges_are_refused() {
-        for words in [
-            [("Final_Frame", "3"), ("Subset_Start_Frame", "5")],
-            [("Initial_Frame", "5"), ("Final_Frame", "3")],
-        ] {
-            let mut settings = Settings::default();
-            for (keyword, value) in words {
-                settings.set(keyword, value).unwrap();
-            }
-            assert!(Animation::of(&settings).is_err());
-        }
+    fn odd_ranges_are_taken_as_the_reference_takes_them() {
+        let numbers = |line: &str| {
+            let words: Vec<_> = line.split(' ').map(|w| w.split_once('=').unwrap()).collect();
+            animation(&words).iter().map(|f| f.0).collect::<Vec<_>>()
+        };
+        assert_eq!(numbers("Initial_Frame=1 Final_Frame=1"), [0]);
+        assert_eq!(numbers("Initial_Frame=0"), [0]);
+        assert_eq!(numbers("Initial_Frame=1"), [1]);
+        assert_eq!(numbers("Initial_Frame=-2 Final_Frame=1"), [0, 1]);
+        assert_eq!(numbers("Initial_Frame=5 Final_Frame=3"), [5]);
+        assert_eq!(numbers("Final_Frame=3 Subset_Start_Frame=5"), [5]);
+        assert_eq!(numbers("Final_Frame=3 Subset_End_Frame=5"), [1, 2, 3, 4, 5]);
+        assert_eq!(numbers("Final_Frame=3 Subset_Start_Frame=3 Subset_End_Frame=2"), [3]);
+        assert_eq!(numbers("Final_Frame=4 Subset_Start_Frame=0.6 Subset_End_Frame=1"), [2]);
+        assert_eq!(numbers("Final_Frame=4 Subset_End_Frame=0"), [1]);
+        assert_eq!(numbers("Final_Frame=5 Frame_Step=2"), [1, 3, 5]);
+        let mut endless = Settings::default();
+        endless.set("Final_Frame", "1e9").unwrap();
+        assert!(Animation::of(&endless).is_err());
     }
 }

@@ -1,9 +1,12 @@
 //! POV-Ray's command line: its switches, INI keywords and INI files, with its meanings.
 //!
-//! Sources in order, later ones override: the user's INI file, then the words as they were typed.
+//! Sources in order, later ones override: the user's INI file, then the words as they were typed. What
+//! changes nothing here is accepted with a note; what POV-Ray does not know is an error.
 
 mod animation;
+mod help;
 mod naming;
+mod notes;
 mod settings;
 mod table;
 mod words;
@@ -13,27 +16,34 @@ use super::render::{Plan, Task, pool, run_all};
 use super::scene;
 use crate::color::Gamma;
 use crate::interp;
-use crate::picture::FileGamma;
+use crate::picture::{Dither, FileGamma, Output, Pixel};
 use crate::render::{Antialias, Method, Region};
 use animation::Animation;
 use naming::FileType;
 use settings::Settings;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 pub fn run(words: &[String]) -> Result<Exit, Failure> {
+    if let Some(text) = help::asked_for(words) {
+        super::json::print_text(&text)?;
+        return Ok(Exit::Done);
+    }
     let mut settings = Settings::default();
     if let Some(ini) = user_ini() {
-        let text =
-            std::fs::read(&ini).map_err(|e| Failure::unavailable(format!("{}: {e}", ini.display())))?;
-        words::read_ini(&mut settings, &ini, &String::from_utf8_lossy(&text), "", 0)?;
+        words::read_file(&mut settings, &ini, "", 0)?;
+        settings.forget_who();
     }
     for word in words {
         words::apply(&mut settings, word)?;
     }
     let (plan, tasks) = (plan(&settings)?, tasks(&settings)?);
     if !plan.quiet {
-        notes(&settings).iter().for_each(|note| eprintln!("note: {note}"));
+        notes::of(&settings).iter().for_each(|note| eprintln!("note: {note}"));
+    }
+    if let Some(path) = settings.text("Create_Ini").filter(|p| !p.is_empty()) {
+        Output::File(path.into()).write(settings.ini().as_bytes())?;
     }
     run_all(&plan, &tasks, false)
 }
@@ -45,30 +55,6 @@ fn user_ini() -> Option<PathBuf> {
     let fixed = [PathBuf::from("povray.ini")];
     let system = [PathBuf::from("/etc/povray/3.7/povray.ini")];
     named.into_iter().chain(fixed).chain(home).chain(system).find(|p| p.is_file())
-}
-
-/// Options that change nothing here, if they were given.
-fn notes(settings: &Settings) -> Vec<String> {
-    let mut notes = Vec::new();
-    let on = |keyword: &str| settings.flag(keyword, false);
-    if on("Dither") {
-        notes.push("dithering is not available yet; the picture is not dithered".to_owned());
-    }
-    if on("Continue_Trace") {
-        notes.push(
-            "the picture is rendered from its beginning; an unfinished one is not continued".to_owned(),
-        );
-    }
-    if on("Radiosity_From_File") || on("Radiosity_To_File") {
-        notes.push("radiosity files are neither read nor written".to_owned());
-    }
-    for when in ["Pre_Scene", "Pre_Frame", "Post_Scene", "Post_Frame", "User_Abort", "Fatal_Error"] {
-        let command = format!("{when}_Command");
-        if settings.text(&command).is_some_and(|c| !c.is_empty()) {
-            notes.push(format!("{command} is not run: rendering starts no programs"));
-        }
-    }
-    notes
 }
 
 const DEFAULT_SIZE: (i64, i64) = (160, 120);
@@ -100,7 +86,11 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
         overrides: Default::default(),
         alpha: settings.flag("Output_Alpha", false),
         bits: kind.bits,
+        grey: kind.grey,
+        // As measured: black, also where the file has an alpha channel.
+        untraced: Pixel::default(),
         file_gamma: file_gamma(settings)?,
+        dither: dither(settings)?,
         quiet: !settings.flag("All_Console", true),
         partial: false,
         pool: pool(threads)?,
@@ -139,6 +129,22 @@ fn file_gamma(settings: &Settings) -> Result<FileGamma, Failure> {
         .ok_or_else(|| Failure::usage(format!("File_Gamma={text}: expected sRGB or a positive number")))
 }
 
+fn dither(settings: &Settings) -> Result<Dither, Failure> {
+    if !settings.flag("Dither", false) {
+        return Ok(Dither::None);
+    }
+    let method = settings.text("Dither_Method").unwrap_or("FS");
+    match method.to_ascii_uppercase().as_str() {
+        "B2" => Ok(Dither::Bayer(2)),
+        "B3" => Ok(Dither::Bayer(3)),
+        "B4" => Ok(Dither::Bayer(4)),
+        "D1" => Ok(Dither::Diffusion1),
+        "D2" => Ok(Dither::Diffusion2),
+        "FS" => Ok(Dither::FloydSteinberg),
+        _ => Err(Failure::usage(format!("Dither_Method={method}: expected B2, B3, B4, D1, D2 or FS"))),
+    }
+}
+
 /// The part of the picture that is traced: rows and columns counted from 1, the last one included; numbers
 /// below 1 are shares of the picture.
 fn region(settings: &Settings, width: u32, height: u32) -> Result<Region, Failure> {
@@ -168,31 +174,33 @@ fn region(settings: &Settings, width: u32, height: u32) -> Result<Region, Failur
 
 /// The scene, or its frames.
 fn tasks(settings: &Settings) -> Result<Vec<Task>, Failure> {
-    let scene = scene_file(settings);
+    let Some(name) = settings.text("Input_File_Name").filter(|n| !n.is_empty()) else {
+        return Err(Failure::usage("no scene was named: +Iscene.pov, or scene.pov alone"));
+    };
+    let scene = scene_file(settings, name);
     let options = options(settings)?;
     let kind = FileType::of(settings)?;
     let frames = Animation::of(settings)?.frames;
+    let animated = frames.iter().any(|(_, digits)| !digits.is_empty());
     let task = |(frame, digits): (interp::Frame, String)| Task {
         scene: scene.clone(),
-        target: naming::target(settings, &scene, kind, Some(digits.as_str()).filter(|d| !d.is_empty())),
+        target: naming::target(settings, name, kind, &digits),
         options: scene::Options {
             interp: interp::Options { frame, ..options.interp.clone() },
             ..options.clone()
         },
         siblings: [].into(),
+        unfinished_apart: animated,
+        resume: animated && settings.flag("Continue_Trace", false),
     };
     Ok(frames.into_iter().map(task).collect())
 }
 
-/// `.pov` may be left away.
-fn scene_file(settings: &Settings) -> PathBuf {
-    let name = settings.text("Input_File_Name").unwrap_or("object.pov");
-    let given = PathBuf::from(name);
-    if name == "-" || given.is_file() {
-        return given;
-    }
-    let longer = PathBuf::from(format!("{name}.pov"));
-    if longer.is_file() { longer } else { given }
+/// `.pov` may be left away; the library is searched after the current folder.
+fn scene_file(settings: &Settings, name: &str) -> PathBuf {
+    let folders = std::iter::once(PathBuf::new()).chain(settings.library.iter().cloned());
+    let mut paths = folders.flat_map(|f| [f.join(name), f.join(format!("{name}.pov"))]);
+    paths.find(|p| name != "-" && p.is_file()).unwrap_or_else(|| name.into())
 }
 
 fn options(settings: &Settings) -> Result<scene::Options, Failure> {
@@ -206,7 +214,12 @@ fn options(settings: &Settings) -> Result<scene::Options, Failure> {
         output_alpha: settings.flag("Output_Alpha", false),
         ..interp::Options::default()
     };
+    let mut declared = BTreeSet::new();
     for (name, value) in &settings.declares {
+        // The reference keeps the first.
+        if !declared.insert(name) {
+            continue;
+        }
         let quoted = value.strip_prefix('"').and_then(|v| v.strip_suffix('"'));
         match (quoted, value.parse()) {
             (Some(text), _) => options.declared_strings.push((name.clone(), text.to_owned())),

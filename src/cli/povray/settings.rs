@@ -2,13 +2,15 @@
 
 use super::table::{Kind, TABLE};
 use crate::cli::exit::Failure;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
-    /// By keyword in lower case.
-    values: HashMap<String, String>,
+    /// By keyword as the table writes it.
+    values: BTreeMap<&'static str, String>,
+    /// Keywords that the user gave, not a file that is read unasked.
+    given: BTreeSet<&'static str>,
     pub library: Vec<PathBuf>,
     pub declares: Vec<(String, String)>,
 }
@@ -21,26 +23,50 @@ impl Settings {
         let value = unquoted(value);
         let good = match known.kind {
             Kind::Bool => boolean(value).is_some(),
-            Kind::Int => value.parse::<i64>().is_ok(),
-            Kind::Float => value.parse::<f64>().is_ok(),
+            Kind::Int | Kind::Float => value.parse::<f64>().is_ok_and(f64::is_finite),
             Kind::String | Kind::Obsolete | Kind::Special | Kind::None => true,
         };
         if !good {
             return Err(Failure::usage(format!("{}={value}: {}", known.name, expected(known.kind))));
         }
+        self.given.insert(known.name);
         match known.name {
             "Library_Path" => self.library.push(value.into()),
             "Declare" => self.declares.push(declaration(value)?),
+            "Bits_Per_Colour" => {
+                self.values.insert("Bits_Per_Color", value.to_owned());
+            }
             name => {
-                self.values.insert(name.to_ascii_lowercase(), value.to_owned());
+                self.values.insert(name, value.to_owned());
             }
         }
         Ok(())
     }
 
+    /// What has been set so far was not given by the user.
+    pub fn forget_who(&mut self) {
+        self.given.clear();
+    }
+
+    /// Keywords that the user gave, with their values.
+    pub fn given(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        self.given.iter().map(|&name| (name, self.text(name).unwrap_or_default()))
+    }
+
+    /// The lines of an INI file that asks for the same.
+    pub fn ini(&self) -> String {
+        let line = |(&name, value): (&&str, &String)| match TABLE.keyword(name).map(|k| k.kind) {
+            Some(Kind::String) => format!("{name}=\"{value}\"\n"),
+            _ => format!("{name}={value}\n"),
+        };
+        let declares = self.declares.iter().map(|(name, value)| format!("Declare={name}={value}\n"));
+        let library = self.library.iter().map(|path| format!("Library_Path=\"{}\"\n", path.display()));
+        self.values.iter().map(line).chain(declares).chain(library).collect()
+    }
+
     pub fn text(&self, keyword: &str) -> Option<&str> {
-        debug_assert!(TABLE.keyword(keyword).is_some(), "{keyword}");
-        self.values.get(&keyword.to_ascii_lowercase()).map(String::as_str)
+        debug_assert!(TABLE.keyword(keyword).is_some_and(|k| k.name == keyword), "{keyword}");
+        self.values.get(keyword).map(String::as_str)
     }
 
     pub fn flag(&self, keyword: &str, default: bool) -> bool {
@@ -51,8 +77,9 @@ impl Settings {
         self.text(keyword)?.parse().ok()
     }
 
+    /// A whole number; fractions are cut off.
     pub fn int(&self, keyword: &str) -> Option<i64> {
-        self.text(keyword)?.parse().ok()
+        self.float(keyword).map(|v| v as i64)
     }
 }
 
@@ -71,15 +98,16 @@ fn unquoted(value: &str) -> &str {
     inner('"').or_else(|| inner('\'')).unwrap_or(value)
 }
 
-/// `on`, `yes`, `true`, `1` and their opposites.
+/// `on`, `yes`, `true`, `1`, nothing, and their opposites; the beginning of a word is enough.
 pub fn boolean(text: &str) -> Option<bool> {
-    let is = |words: [&str; 4]| words.iter().any(|w| text.eq_ignore_ascii_case(w));
-    if is(["on", "yes", "true", "1"]) {
-        Some(true)
-    } else if is(["off", "no", "false", "0"]) {
-        Some(false)
-    } else {
-        None
+    let text = text.to_ascii_lowercase();
+    let begins = |words: [&str; 3]| words.iter().any(|w| w.starts_with(&text));
+    match text.as_str() {
+        "1" | "" => Some(true),
+        "0" => Some(false),
+        _ if begins(["on", "yes", "true"]) => Some(true),
+        _ if begins(["off", "no", "false"]) => Some(false),
+        _ => None,
     }
 }
 
@@ -104,6 +132,23 @@ mod tests {
         assert_eq!(s.library, [PathBuf::from("a"), PathBuf::from("b/")]);
         assert_eq!(s.declares, [("Detail".to_owned(), "3".to_owned())]);
         assert!(s.flag("Antialias", true) && !s.flag("Antialias", false));
+        let ini = "Width=160\nDeclare=Detail=3\nLibrary_Path=\"a\"\nLibrary_Path=\"b/\"\n";
+        assert_eq!(s.ini(), ini);
+        assert_eq!(s.given().count(), 3);
+        s.forget_who();
+        assert_eq!(s.given().count(), 0);
+    }
+
+    /// As measured: `o` is `on`, and nothing at all is `on`.
+    #[test]
+    fn booleans_have_many_names() {
+        for on in ["on", "ON", "y", "Yes", "tru", "1", "", "o"] {
+            assert_eq!(boolean(on), Some(true), "{on}");
+        }
+        for off in ["off", "of", "n", "No", "F", "0"] {
+            assert_eq!(boolean(off), Some(false), "{off}");
+        }
+        assert_eq!((boolean("maybe"), boolean("2")), (None, None));
     }
 
     #[test]

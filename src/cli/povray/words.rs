@@ -1,5 +1,6 @@
 //! Words of the command line, and lines of INI files, to settings.
 
+use super::naming::FileType;
 use super::settings::Settings;
 use super::table::{Kind, Switch, TABLE};
 use crate::cli::exit::Failure;
@@ -14,6 +15,9 @@ pub fn apply(settings: &mut Settings, word: &str) -> Result<(), Failure> {
 }
 
 fn apply_nested(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Failure> {
+    if word == "--resume" {
+        return settings.set("Continue_Trace", "on");
+    }
     if word.starts_with(['+', '-']) && word.len() > 1 {
         return switch(settings, word);
     }
@@ -47,21 +51,43 @@ fn switch(settings: &mut Settings, word: &str) -> Result<(), Failure> {
         return Err(Failure::usage(format!("{word}: POV-Ray has no such switch, or its value is wrong")));
     };
     let value = &rest[found.letters.len()..];
+    if found.keyword == "Output_File_Type" {
+        settings.set(found.toggles, if sign == "+" { "on" } else { "off" })?;
+        return file_type(settings, word, value);
+    }
     if !found.toggles.is_empty() {
         settings.set(found.toggles, if sign == "+" { "on" } else { "off" })?;
     }
-    if !found.keyword.is_empty() && found.kind != Kind::None {
+    // `+DGT` names a kind of window.
+    let names_a_window = found.keyword == found.toggles;
+    if !found.keyword.is_empty() && found.kind != Kind::None && !names_a_window {
         settings.set(found.keyword, value)?;
     }
     Ok(())
+}
+
+/// A letter, and the bits of a channel or `g` for grey.
+fn file_type(settings: &mut Settings, word: &str, value: &str) -> Result<(), Failure> {
+    let (letter, rest) = value.split_at(value.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(1).min(1));
+    if !letter.is_empty() {
+        settings.set("Output_File_Type", letter)?;
+        FileType::of(settings)?;
+    }
+    match rest {
+        "" => Ok(()),
+        "g" | "G" => settings.set("Grayscale_Output", "on"),
+        bits if bits.parse::<u32>().is_ok() => settings.set("Bits_Per_Color", bits),
+        _ => Err(Failure::usage(format!(
+            "{word}: expected a letter, and the bits of a channel or g for grey, such as +FN16 or +FNg"
+        ))),
+    }
 }
 
 /// Whether the rest of a switch can be its value.
 fn fits(kind: Kind, value: &str) -> bool {
     match kind {
         Kind::None => value.is_empty(),
-        Kind::Int => value.parse::<i64>().is_ok(),
-        Kind::Float => value.parse::<f64>().is_ok(),
+        Kind::Int | Kind::Float => value.parse::<f64>().is_ok_and(f64::is_finite),
         _ => !value.is_empty(),
     }
 }
@@ -80,8 +106,13 @@ fn ini_file(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Fai
             "{word}: no such INI file (a scene's name ends in .pov, or is given as +I{word})"
         ))
     })?;
-    let bytes = std::fs::read(&path).map_err(|e| Failure::unavailable(format!("{}: {e}", path.display())))?;
-    read_ini(settings, &path, &String::from_utf8_lossy(&bytes), section, depth)
+    read_file(settings, &path, section, depth)
+}
+
+/// Applies an INI file.
+pub fn read_file(settings: &mut Settings, path: &Path, section: &str, depth: usize) -> Result<(), Failure> {
+    let bytes = std::fs::read(path).map_err(|e| Failure::unavailable(format!("{}: {e}", path.display())))?;
+    read_ini(settings, path, &String::from_utf8_lossy(&bytes), section, depth)
 }
 
 /// Looks in the current folder, then in the library's; `.ini` may be left away.
@@ -92,7 +123,7 @@ fn find_ini(settings: &Settings, name: &str) -> Option<PathBuf> {
 }
 
 /// Options before the first header always count, those below a header only if it was asked for.
-pub fn read_ini(
+fn read_ini(
     settings: &mut Settings,
     path: &Path,
     text: &str,
@@ -161,12 +192,12 @@ mod tests {
         assert_eq!((s.float("Antialias_Threshold"), s.int("Sampling_Method")), (Some(0.1), Some(2)));
         assert!(s.flag("Antialias", false) && !s.flag("Jitter", true) && s.flag("Output_Alpha", false));
         assert_eq!((s.int("Final_Frame"), s.float("Clock")), (Some(12), Some(0.5)));
-        assert_eq!(s.text("Output_File_Type"), Some("N16"));
+        assert_eq!((s.text("Output_File_Type"), s.int("Bits_Per_Color")), (Some("N"), Some(16)));
     }
 
     #[test]
     fn a_switch_without_a_value_only_toggles() {
-        let s = settings(&["+A0.1", "-A", "-D", "-P", "+GAlog.txt", "+SC0.25", "+EC10"]);
+        let s = settings(&["+A0.1", "-A", "+DGT", "-D", "-P", "+GAlog.txt", "+SC0.25", "+EC10"]);
         assert!(!s.flag("Antialias", true) && !s.flag("Display", true));
         assert_eq!((s.float("Antialias_Threshold"), s.text("All_File")), (Some(0.1), Some("log.txt")));
         assert_eq!((s.float("Start_Column"), s.float("End_Column")), (Some(0.25), Some(10.0)));
@@ -174,13 +205,22 @@ mod tests {
 
     #[test]
     fn bare_words_are_told_apart() {
-        let s = settings(&["a.pov", "inc/", "Width=64", "Declare=x=1.5"]);
+        let s = settings(&["a.pov", "inc/", "Width=64.9", "Declare=x=1.5"]);
         assert_eq!((s.text("Input_File_Name"), s.int("Width")), (Some("a.pov"), Some(64)));
         assert_eq!(s.library, [PathBuf::from("inc/")]);
         assert!(apply(&mut Settings::default(), "nosuchfile").is_err());
-        for wrong in ["+Z", "+W", "+Wx", "+QQ", "Bogus=1"] {
+        for wrong in ["+Z", "+W", "+Wx", "+QQ", "Bogus=1", "+FS", "+FN16g", "+Fx"] {
             assert!(apply(&mut Settings::default(), wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn file_types_are_letters_with_bits_or_grey() {
+        let s = settings(&["-FN16", "+FPg"]);
+        assert_eq!((s.text("Output_File_Type"), s.int("Bits_Per_Color")), (Some("P"), Some(16)));
+        assert!(s.flag("Grayscale_Output", false) && s.flag("Output_To_File", false));
+        assert!(!settings(&["-F"]).flag("Output_To_File", true));
+        assert!(settings(&["--resume"]).flag("Continue_Trace", false));
     }
 
     #[test]

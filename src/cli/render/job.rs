@@ -9,7 +9,7 @@ use crate::cli::output::Target;
 use crate::cli::progress::Canvas;
 use crate::cli::scene;
 use crate::picture::light::Light;
-use crate::picture::{Encoding, Picture, PictureError};
+use crate::picture::{Encoding, Output, Picture, PictureError, load};
 use crate::render::adaptive::{self, Clock};
 use crate::render::{indirect, render};
 use crate::trace::{Counters, Tracer};
@@ -23,18 +23,20 @@ pub struct Live {
     pub canvas: Canvas,
     encoding: Encoding,
     target: Target,
+    /// Where the picture goes until it is finished.
+    unfinished: Target,
 }
 
 impl Live {
     /// Writes the picture as it is now.
     pub fn write(&self) -> Result<(), PictureError> {
-        self.target.write(&self.canvas.snapshot(), &self.encoding)
+        self.unfinished.write(&self.canvas.snapshot(), &self.encoding)
     }
 
     /// Writes the unfinished picture and says so.
     pub fn leave(&self) -> String {
         let percent = self.canvas.percent();
-        let output = &self.target.output;
+        let output = &self.unfinished.output;
         match output.path().map(|_| self.write()) {
             None => format!("interrupted at {percent} %; nothing was written"),
             Some(Ok(())) => format!("interrupted; {output} holds the {percent} % that were traced"),
@@ -53,9 +55,29 @@ pub struct Task {
     pub options: scene::Options,
     /// All scenes of the batch.
     pub siblings: Arc<[PathBuf]>,
+    /// The unfinished picture has a name of its own, so that a picture under the frame's name is whole.
+    pub unfinished_apart: bool,
+    /// A finished picture is left as it is.
+    pub resume: bool,
 }
 
 impl Task {
+    /// Whether the picture is there and has the right size.
+    pub fn is_done(&self, plan: &Plan) -> bool {
+        let size = self.target.output.path().and_then(load::size);
+        self.resume && size == Some((plan.width, plan.height))
+    }
+
+    fn unfinished(&self) -> Target {
+        match &self.target.output {
+            Output::File(path) if self.unfinished_apart => {
+                let path = path.with_extension(format!("unfinished.{}", self.target.format.extension()));
+                Target { output: Output::File(path), ..self.target }
+            }
+            _ => self.target.clone(),
+        }
+    }
+
     /// The command line that does this task alone: other scenes' names are left out.
     fn command(&self, words: &[String]) -> Vec<String> {
         let others = |w: &&String| {
@@ -101,6 +123,10 @@ impl<'a> Job<'a> {
             return Err(Failure::interrupted(live.leave()));
         }
         live.target.write(&live.canvas.lock(), &live.encoding)?;
+        if let Some(leftover) = live.unfinished.output.path().filter(|_| live.unfinished != live.target) {
+            // Mostly there is none.
+            let _ = std::fs::remove_file(leftover);
+        }
         let write_cpu_s = lap.next();
         Ok(RenderReport {
             scene: self.task.scene.display().to_string(),
@@ -128,10 +154,13 @@ impl<'a> Job<'a> {
 
     /// Opens the picture to others.
     fn start(&self, world: &World) -> Arc<Live> {
+        let mut picture = Picture::new(self.plan.width, self.plan.height);
+        picture.pixels.fill(self.plan.untraced);
         let live = Arc::new(Live {
-            canvas: Canvas::new(Picture::new(self.plan.width, self.plan.height), self.plan.region.pixels()),
+            canvas: Canvas::new(picture, self.plan.region.pixels()),
             encoding: self.plan.encoding(world.scene.globals.gamma),
             target: self.task.target.clone(),
+            unfinished: self.task.unfinished(),
         });
         *self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(live.clone());
         live

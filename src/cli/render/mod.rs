@@ -29,7 +29,8 @@ pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
     let task = |scene: &Path| {
         let target = Target::new(scene, args.output.as_deref())?;
         let siblings = siblings.clone();
-        Ok(Task { scene: scene.to_owned(), target, options: options.clone(), siblings })
+        let scene = scene.to_owned();
+        Ok(Task { scene, target, options: options.clone(), siblings, unfinished_apart: false, resume: false })
     };
     let tasks = args.scenes.iter().map(|s| task(s)).collect::<Result<Vec<_>, Failure>>()?;
     run_all(&plan, &tasks, args.json)
@@ -39,14 +40,21 @@ pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
 pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failure> {
     interrupt::listen();
     let mut exit = Exit::Done;
-    for task in tasks {
+    for (i, task) in tasks.iter().enumerate() {
+        let count = if tasks.len() > 1 { format!("[{}/{}] ", i + 1, tasks.len()) } else { String::new() };
+        if task.is_done(plan) {
+            if !plan.quiet {
+                eprintln!("{count}{} is there already", task.target.output);
+            }
+            continue;
+        }
         match monitor::render(plan, task) {
             Ok(report) => {
                 if as_json {
                     json::print(&report)?;
                 }
                 if !plan.quiet {
-                    eprintln!("{}", report.line());
+                    eprintln!("{count}{}", report.line());
                     report.adaptive.iter().flat_map(Reached::notes).for_each(|note| eprintln!("{note}"));
                 }
             }

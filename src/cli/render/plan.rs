@@ -4,7 +4,7 @@ use super::accuracy::Accuracy;
 use crate::cli::args::{AaMethod, Corners, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
-use crate::picture::{Encoding, FileGamma};
+use crate::picture::{Dither, Encoding, FileGamma, Pixel};
 use crate::render::{Antialias, Method, Region, Settings};
 use crate::trace::{self, Overrides};
 use std::sync::Mutex;
@@ -28,7 +28,11 @@ pub struct Plan {
     pub overrides: Overrides,
     pub alpha: bool,
     pub bits: u8,
+    pub grey: bool,
+    /// What stands where nothing was traced.
+    pub untraced: Pixel,
     pub file_gamma: FileGamma,
+    pub dither: Dither,
     pub quiet: bool,
     pub partial: bool,
     pub pool: rayon::ThreadPool,
@@ -53,7 +57,10 @@ impl Plan {
             overrides: overrides(&args.overrides),
             alpha: args.alpha,
             bits: if args.bits == "16" { 16 } else { 8 },
+            grey: false,
+            untraced: Pixel::NONE,
             file_gamma: FileGamma::Srgb,
+            dither: Dither::None,
             quiet: args.quiet,
             partial: args.partial,
             pool: pool(p.threads.map(usize::from))?,
@@ -63,7 +70,14 @@ impl Plan {
     }
 
     pub fn encoding(&self, working: Gamma) -> Encoding {
-        Encoding { working, file: self.file_gamma, bits: self.bits, alpha: self.alpha }
+        Encoding {
+            working,
+            file: self.file_gamma,
+            bits: self.bits,
+            alpha: self.alpha,
+            grey: self.grey,
+            dither: self.dither,
+        }
     }
 
     pub fn settings(&self, working: Gamma) -> Settings {

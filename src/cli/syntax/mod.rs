@@ -50,7 +50,7 @@ fn is_povray(word: &str) -> bool {
 /// Words that only Glint's syntax has: commands, long options, options whose value is a word of its own.
 fn is_glint(word: &str) -> bool {
     COMMANDS.contains(&word)
-        || word.starts_with("--")
+        || (word.starts_with("--") && !matches!(word, "--resume" | "--help" | "--version"))
         || matches!(word, "-o" | "-W" | "-H" | "-L")
         || word.starts_with("-A=")
 }
@@ -109,6 +109,7 @@ mod tests {
         assert_eq!(syntax("glint pov a.pov -W320"), povray("a.pov -W320"));
         assert_eq!(syntax("glint +Ia.pov -A -D"), povray("+Ia.pov -A -D"));
         assert_eq!(syntax("glint a.INI[big] -A"), povray("a.INI[big] -A"));
+        assert_eq!(syntax("glint a.ini --resume"), povray("a.ini --resume"));
     }
 
     #[test]
