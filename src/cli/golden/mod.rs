@@ -60,9 +60,10 @@ fn check(project: &Project, entries: &[Entry], all: bool) -> Result<Exit, Failur
     }
     stopped()?;
     if failed == 0 {
+        eprintln!("{} scenes match their pictures", entries.len());
         return Ok(Exit::Done);
     }
-    Err(Failure::failed(format!("{failed} of {} scenes differ from their pictures", entries.len())))
+    Err(Failure::failed(format!("{failed} complaints about {} scenes", entries.len())))
 }
 
 fn check_one(project: &Project, entry: &Entry) -> Verdict {
@@ -70,8 +71,10 @@ fn check_one(project: &Project, entry: &Entry) -> Verdict {
     let png = glint(entry, &header)?.png;
     let picture = from_bytes(&png)?;
     let mut said = Vec::new();
-    let golden = against(&entry.golden, &picture)
-        .map_err(|e| format!("{e}; `glint golden bless {}` would keep the new picture", entry.name))?;
+    if !entry.golden.is_file() {
+        return Err(format!("there is no picture yet: `glint golden bless {}` makes it", entry.name));
+    }
+    let golden = against(&entry.golden, &picture)?;
     if golden.max_abs > MAX_STEPS {
         let trace = project.leave_evidence(entry, &png, &evidence(&entry.golden, &picture)?);
         return Err(format!(
