@@ -83,13 +83,14 @@ impl Parser {
     pub(super) fn call_macro(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(Binding::Macro(called)) = self.symbols.binding(name) else { return Ok(()) };
         let called = called.clone();
+        let scope = self.symbols.innermost();
         self.expect_punct(Punct::LeftParen)?;
         let mut arguments = Vec::with_capacity(called.parameters.len());
         for index in 0..called.parameters.len() {
             if self.peek()?.tok == Tok::Punct(Punct::RightParen) {
                 return Err(self.too_few(name, &called, index));
             }
-            arguments.push(self.argument()?);
+            arguments.push(self.argument(scope)?);
             self.comma()?;
         }
         if self.peek()?.tok != Tok::Punct(Punct::RightParen) {
@@ -133,15 +134,16 @@ impl Parser {
         ))
     }
 
-    /// One argument: a variable standing alone is passed by reference, all else by value.
-    fn argument(&mut self) -> Result<Binding> {
+    /// One argument: a variable standing alone is passed by reference, all else by value. `scope` is the
+    /// caller's table.
+    fn argument(&mut self, scope: u32) -> Result<Binding> {
         let token = self.peek()?;
         if let Tok::Identifier(name) = token.tok
             && name != Symbols::ELEMENT
             && self.stands_alone(name)?
         {
             self.take(token)?;
-            return self.reference_argument(name, token.span);
+            return self.reference_argument(name, scope, token.span);
         }
         Ok(Binding::Value(self.rvalue()?.value))
     }
@@ -158,7 +160,7 @@ impl Parser {
         })
     }
 
-    fn reference_argument(&mut self, name: Symbol, span: Span) -> Result<Binding> {
+    fn reference_argument(&mut self, name: Symbol, scope: u32, span: Span) -> Result<Binding> {
         let Some(mut reference) = self.symbols.reference(name) else {
             return Err(Box::new(Diagnostic::error(
                 span,
@@ -173,6 +175,8 @@ impl Parser {
         }
         match self.symbols.target(&reference) {
             Some(value @ Value::Function(_)) => Ok(Binding::Value(value.clone())),
+            // What a macro among the arguments yields is gone when the macro has ended.
+            Some(value) if reference.scope > scope => Ok(Binding::Value(value.clone())),
             _ => Ok(Binding::Reference(Box::new(reference))),
         }
     }

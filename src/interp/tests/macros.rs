@@ -110,3 +110,11 @@ fn undef_of_a_parameter_leaves_the_variable() {
     let text = "#macro M(A) #undef A[0] #end #declare X=array[1]{1}; M(X) #ifdef(X[0]) #debug \"X\" #end";
     assert_eq!(debug(text), "");
 }
+
+#[test]
+fn a_local_that_a_macro_yields_can_be_an_argument() {
+    let text = "#macro Sum(A,B) #local S=A+B; S #end #macro Show(V) #debug str(V,0,0) #end Show(Sum(1,2)) Show(Sum(Sum(1,2),4))";
+    assert_eq!(debug(text), "37");
+    let text = "#macro Made() #local L=array[2]{5,6} L #end #macro Second(L) #debug str(L[1],0,0) #end Second(Made())";
+    assert_eq!(debug(text), "6");
+}
