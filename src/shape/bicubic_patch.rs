@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | points | length | | control points P[i][j], u along i, v along j |
 //! | u_steps, v_steps | – | 0 | how often the patch is halved along each parameter |
-//! | flatness | length | 0 | pieces flatter than this are not halved any further |
+//! | flatness | length in the world | 0 | pieces flatter than this are not halved any further |
 //! | uv_vectors | – | unit square | surface parameters at the corners |
 //!
 //! Pieces are split in halves until they are flat or have been split as often as allowed. A piece becomes
@@ -18,7 +18,8 @@ use super::plane::meet;
 use super::triangle::Shear;
 use super::{Crossing, Shape, rounding};
 use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
+use crate::math::{Aabb, Range, Ray, Transform, Vec2, Vec3};
+use std::sync::Arc;
 
 pub type Controls = [[Vec3; 4]; 4];
 
@@ -31,6 +32,7 @@ pub struct BicubicPatch {
     pieces: Vec<PatchPiece>,
     tree: Bvh,
     uv_vectors: [Vec2; 4],
+    detail: PatchDetail,
 }
 
 /// A rectangle of parameters.
@@ -107,12 +109,14 @@ fn bulge(c: &Controls) -> f64 {
 impl BicubicPatch {
     /// `None` if it would take more than [`MAX_PIECES`] pieces.
     pub fn new(controls: Controls, detail: PatchDetail, uv_vectors: [Vec2; 4]) -> Option<Self> {
-        let mut patch =
-            Self { controls, pieces: Vec::new(), tree: Bvh::build(&[], Quality::Best), uv_vectors };
-        patch.pieces = pieces(&controls, detail)?;
-        let boxes: Vec<Aabb> = (0..patch.pieces.len()).map(|i| patch.piece_bounds(i)).collect();
-        patch.tree = Bvh::build(&boxes, Quality::Best);
-        Some(patch)
+        let pieces = pieces(&controls, detail)?;
+        Some(Self { controls, pieces, tree: Bvh::build(&[], Quality::Best), uv_vectors, detail }.with_tree())
+    }
+
+    fn with_tree(mut self) -> Self {
+        let boxes: Vec<Aabb> = (0..self.pieces.len()).map(|i| self.piece_bounds(i)).collect();
+        self.tree = Bvh::build(&boxes, Quality::Best);
+        self
     }
 
     fn at(&self, uv: Vec2) -> Vec3 {
@@ -268,6 +272,17 @@ impl Shape for BicubicPatch {
         Some((1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * d + u * c))
     }
 
+    fn placed(&self, to_world: &Transform) -> Option<Arc<dyn Shape>> {
+        let m = to_world.forward.matrix3;
+        let rigid = (m.transpose() * m).abs_diff_eq(glam::DMat3::IDENTITY, 1e-12);
+        if self.detail.flatness <= 0.0 || rigid {
+            return None;
+        }
+        // What is flat shows in the world.
+        let pieces = pieces(&self.controls.map(|row| row.map(|p| m * p)), self.detail)?;
+        Some(Arc::new(Self { pieces, ..self.clone() }.with_tree()))
+    }
+
     fn kind(&self) -> &'static str {
         "bicubic_patch"
     }
@@ -302,6 +317,13 @@ mod tests {
     fn flat_pieces_stay_whole() {
         let detail = PatchDetail { u_steps: 5, v_steps: 5, flatness: 0.01 };
         assert_eq!(BicubicPatch::new(flat(), detail, UNIT).unwrap().pieces.len(), 1);
+        let dented: Controls =
+            std::array::from_fn(|i| flat()[i].map(|p| if i == 2 { p + 0.005 * Vec3::Z } else { p }));
+        let patch = BicubicPatch::new(dented, detail, UNIT).unwrap();
+        assert_eq!(patch.pieces.len(), 1);
+        assert!(patch.placed(&Transform::rotate(Vec3::splat(30.0))).is_none());
+        let large = patch.placed(&Transform::scale(Vec3::splat(10.0))).unwrap();
+        assert!(large.heap_bytes() > patch.heap_bytes());
         let endless = PatchDetail { u_steps: 40, v_steps: 40, flatness: 0.0 };
         assert!(BicubicPatch::new(flat(), endless, UNIT).is_none());
     }
