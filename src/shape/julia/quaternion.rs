@@ -67,7 +67,7 @@ impl Quaternions {
             let size = squared(z);
             if !(size <= self.limit) {
                 let estimate = (size / product).sqrt() * size.ln() / power;
-                return Fate::Outside(if estimate.is_finite() { 0.25 * estimate } else { 0.0 });
+                return Fate::Outside(if estimate.is_finite() { 0.2 * estimate } else { 0.0 });
             }
             product *= if self.cube { size * size } else { size };
             power *= degree;
