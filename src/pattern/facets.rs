@@ -6,7 +6,7 @@
 //! | coords | 0 | 0: facets of the normal's direction; else of the place, tilted by this much |
 //! | metric | 2 | which point is nearest; 1 compares signed sums, as the language defines it |
 
-use super::lattice_points::{Neighbourhood, OFFSETS};
+use super::lattice_points::{GROUPS, Neighbourhood};
 use super::{EDGE, Modifier, Pattern, Setting};
 use crate::math::Vec3;
 use crate::math::noise::vector_noise;
@@ -38,15 +38,21 @@ impl Facets {
     }
 
     fn nearest(&self, b: Vec3) -> Vec3 {
-        let cells = Neighbourhood::new((b - Vec3::splat(EDGE)).floor());
         let (mut least, mut at) = (f64::INFINITY, b);
-        for &offset in &OFFSETS {
-            let point = cells.point(offset);
-            let distance = self.distance(point - b);
-            if distance < least {
-                (least, at) = (distance, point);
+        Neighbourhood::around((b - Vec3::splat(EDGE)).floor(), |cells| {
+            for group in 0..GROUPS {
+                if group > 0 && self.metric == 2.0 && cells.gap(group, b).powi(2) >= least {
+                    continue;
+                }
+                let places = cells.group(group);
+                for (_, point) in cells.points(places) {
+                    let distance = self.distance(point - b);
+                    if distance < least {
+                        (least, at) = (distance, point);
+                    }
+                }
             }
-        }
+        });
         at
     }
 }
