@@ -154,10 +154,12 @@ impl Camera {
         };
         let direction = view.direction.normalize();
         let direction = match &self.normal {
-            Some(normal) => normal.perturb(direction, Vec3::new(view.at.0, view.at.1, 0.0), context),
+            Some(normal) => {
+                normal.perturb(direction, Vec3::new(view.at.0, view.at.1, 0.0), context).normalize()
+            }
             None => direction,
         };
-        direction.is_finite().then(|| Ray::new(view.origin, direction.normalize()))
+        direction.is_finite().then(|| Ray::new(view.origin, direction))
     }
 
     /// `None` for a mesh camera, whose rays do not hang on the place alone.

@@ -155,6 +155,16 @@ impl Normal {
         }
     }
 
+    /// Whether bumps hang on how a ray met the surface, not on the point alone.
+    pub fn asks_hit(&self) -> bool {
+        let asks = match &self.kind {
+            NormalKind::Uv(_) => true,
+            NormalKind::Patterned => self.signal.pattern.asks_hit(),
+            _ => false,
+        };
+        asks || self.map.iter().flat_map(BlendMap::items).any(|n| n.asks_hit())
+    }
+
     /// Moves the bumps.
     pub fn transform(&mut self, t: &Transform) {
         self.signal.transform(t);

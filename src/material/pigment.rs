@@ -18,6 +18,7 @@ pub struct Pigment {
     /// The pattern's own colours, where no map was written.
     own_colors: Option<ColorMap>,
     opaque: bool,
+    asks_hit: bool,
     depth: u32,
 }
 
@@ -55,6 +56,7 @@ impl Pigment {
             quick_color: None,
             own_colors: None,
             opaque: true,
+            asks_hit: false,
             depth: 0,
         };
         pigment.settle();
@@ -68,6 +70,11 @@ impl Pigment {
             (patterned && self.map.is_none()).then(|| BlendMap::new(self.signal.pattern.colors()));
         let opaque_map = |map: &ColorMap| map.items().all(|c| !c.is_transparent());
         self.depth = 1 + self.children().map(|p| p.depth).max().unwrap_or(0);
+        let asks = match self.kind {
+            PigmentKind::Patterned => self.signal.pattern.asks_hit(),
+            _ => matches!(self.kind, PigmentKind::Uv(_)),
+        };
+        self.asks_hit = asks || self.children().any(|p| p.asks_hit);
         self.opaque = match (&self.kind, &self.map) {
             (PigmentKind::Plain(color), _) => !color.is_transparent(),
             (PigmentKind::Patterned, None) => true,
@@ -156,6 +163,11 @@ impl Pigment {
         self.opaque
     }
 
+    /// Whether colours hang on how a ray met the surface, not on the point alone.
+    pub fn asks_hit(&self) -> bool {
+        self.asks_hit
+    }
+
     /// Moves what the pigment shows.
     pub fn transform(&mut self, t: &crate::math::Transform) {
         self.signal.transform(t);
@@ -183,6 +195,10 @@ impl Pigment {
 pub struct GreyPigment(pub Arc<Pigment>);
 
 impl Pattern for GreyPigment {
+    fn asks_hit(&self) -> bool {
+        self.0.asks_hit()
+    }
+
     fn value(&self, p: Vec3, setting: &Setting) -> f64 {
         f64::from(grey(self.0.color_or_clear(p, setting.context).rgb))
     }

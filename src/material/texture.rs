@@ -112,6 +112,18 @@ impl Texture {
         }
     }
 
+    /// Whether some of it hangs on how a ray met the surface, not on the point alone.
+    pub fn asks_hit(&self) -> bool {
+        match self {
+            Texture::Layers(layers) => layers.iter().any(Layer::asks_hit),
+            Texture::Patterned(texture) => {
+                matches!(texture.kind, PatternedKind::Uv)
+                    || texture.signal.pattern.asks_hit()
+                    || texture.map.items().any(Texture::asks_hit)
+            }
+        }
+    }
+
     /// How deep patterned textures are nested.
     pub fn depth(&self) -> u32 {
         match self {
@@ -130,6 +142,10 @@ impl Texture {
 }
 
 impl Layer {
+    fn asks_hit(&self) -> bool {
+        self.pigment.asks_hit() || self.normal.as_ref().is_some_and(|n| n.asks_hit())
+    }
+
     /// Moves pigment and normal.
     pub fn transform(&mut self, t: &Transform) {
         Arc::make_mut(&mut self.pigment).transform(t);

@@ -8,6 +8,10 @@ use std::f64::consts::PI;
 pub struct Aoi;
 
 impl Pattern for Aoi {
+    fn asks_hit(&self) -> bool {
+        true
+    }
+
     fn value(&self, _p: Vec3, setting: &Setting) -> f64 {
         match setting.context.hit {
             Some(hit) => hit.normal.dot(hit.direction).clamp(-1.0, 1.0).acos() / PI,

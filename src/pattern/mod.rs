@@ -202,6 +202,11 @@ pub trait Pattern: Debug + Send + Sync {
         Character::SMOOTH
     }
 
+    /// Whether values hang on how a ray met the surface, not on the point alone.
+    fn asks_hit(&self) -> bool {
+        false
+    }
+
     /// Colours by value, where the author names none. Used as they are, without gamma.
     fn colors(&self) -> Vec<(f32, Color)> {
         vec![(0.0, Color::BLACK), (1.0, Color::WHITE)]

@@ -48,6 +48,10 @@ fn wrapped(v: f64) -> f64 {
 }
 
 impl Pattern for Slope {
+    fn asks_hit(&self) -> bool {
+        true
+    }
+
     fn value(&self, p: Vec3, setting: &Setting) -> f64 {
         let Some(hit) = setting.context.hit else { return 0.0 };
         let (direction, length) = match self.direction {

@@ -16,6 +16,8 @@ pub(super) struct Placed<'w, 'a> {
     to_world: Option<&'w Transform>,
     /// The way through patterned textures, if the layer stands in one.
     sample: Option<&'a TextureSample<'w>>,
+    /// Whether the texture hangs on how the ray met the surface.
+    pub asks_hit: bool,
 }
 
 impl Placed<'_, '_> {
@@ -54,6 +56,14 @@ pub(super) fn stacks<'w, 'i>(
     let frame = |to_world: &'w Option<Box<Transform>>| {
         if hit.uv_mapping { None } else { to_world.as_deref() }
     };
+    let asks_hit = surface.asks_hit;
+    if let [l] = &surface.layers[..]
+        && let Texture::Layers(layers) = &*l.texture
+        && let [layer] = &layers[..]
+    {
+        let (point, to_world) = (place(&l.texture_to_local), frame(&l.texture_to_world));
+        return visit(1.0, &[Placed { layer, point, to_world, sample: None, asks_hit }]);
+    }
     let mut stack: SmallVec<[Placed<'w, '_>; 2]> = SmallVec::new();
     for l in surface.layers.iter().rev() {
         let (point, to_world) = (place(&l.texture_to_local), frame(&l.texture_to_world));
@@ -64,16 +74,18 @@ pub(super) fn stacks<'w, 'i>(
                     point,
                     to_world,
                     sample: None,
+                    asks_hit,
                 }));
             }
             // Nothing can be layered with a patterned texture.
             Texture::Patterned(_) => {
                 let mut samples = SmallVec::new();
-                l.texture.samples(point, &Context { hit: Some(incidence()), ..*context }, &mut samples);
+                let hit = asks_hit.then(&incidence);
+                l.texture.samples(point, &Context { hit, ..*context }, &mut samples);
                 for s in &samples {
                     let layers = s.layers.iter().rev();
                     let stack: SmallVec<[Placed; 2]> = layers
-                        .map(|layer| Placed { layer, point: s.point, to_world, sample: Some(s) })
+                        .map(|layer| Placed { layer, point: s.point, to_world, sample: Some(s), asks_hit })
                         .collect();
                     visit(s.weight, &stack);
                 }

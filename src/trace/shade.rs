@@ -215,6 +215,9 @@ impl<'w> Tracer<'w> {
         if placed.layer.normal.is_none() || self.settings.quality < 8 {
             return site.facing;
         }
+        if !placed.asks_hit {
+            return placed.normal(site.facing, &self.context);
+        }
         let incidence = Incidence { normal: last, ..*site.incidence(self.world) };
         placed.normal(site.facing, &Context { hit: Some(&incidence), ..self.context })
     }
@@ -226,6 +229,9 @@ impl<'w> Tracer<'w> {
         }
         if let Some(plain) = pigment.plain() {
             return Some(plain);
+        }
+        if !placed.asks_hit {
+            return placed.color(&self.context);
         }
         let incidence = Incidence { normal, ..*site.incidence(self.world) };
         placed.color(&Context { hit: Some(&incidence), ..self.context })

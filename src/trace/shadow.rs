@@ -173,14 +173,18 @@ impl Tracer<'_> {
     }
 
     fn stack_filter(&self, site: &Site, stack: &[Placed], caustics: f32) -> Rgb {
+        if stack.iter().any(|placed| placed.layer.pigment.is_opaque()) {
+            return Rgb::ZERO;
+        }
         let mut filter = Rgb::ONE;
         for placed in stack {
-            let color = placed.layer.pigment.plain().or_else(|| placed.color(&self.context_at(site)));
+            let context = if placed.asks_hit { self.context_at(site) } else { self.context };
+            let color = placed.layer.pigment.plain().or_else(|| placed.color(&context));
             if let Some(c) = color {
                 filter *= c.transmittance();
             }
             if caustics != 0.0 {
-                let c = placed.normal(site.facing, &self.context_at(site)).dot(site.ray.dir).abs();
+                let c = placed.normal(site.facing, &context).dot(site.ray.dir).abs();
                 filter *= 1.0 + c.powf(FOCUS * f64::from(caustics)) as f32;
             }
         }

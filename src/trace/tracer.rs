@@ -271,12 +271,12 @@ impl<'w> Tracer<'w> {
             } else {
                 next = self.world.nearest(&ray, Range::FORWARD, path.class);
             }
-            let Some(hit) = next.take() else {
+            let Some(hit) = &next else {
                 return front.over(self.leave(&ray, &path));
             };
-            let shaded = self.shade(&ray, &hit, &path);
+            let shaded = self.shade(&ray, hit, &path);
             if self.needs.interiors {
-                front = self.segment_veil(&ray, &hit, &path).under(front);
+                front = self.segment_veil(&ray, hit, &path).under(front);
             }
             let Some(onward) = shaded.onward else { return front.over(shaded.light) };
             let behind = Veil { factor: onward.factor, added: shaded.light.rgb, clear: onward.clear };

@@ -400,7 +400,8 @@ impl Flattened {
             return number;
         }
         let opaque = layers.iter().any(|l| l.texture.is_opaque());
-        self.surfaces.push(Surface { layers, opaque });
+        let asks_hit = layers.iter().any(|l| l.texture.asks_hit());
+        self.surfaces.push(Surface { layers, opaque, asks_hit });
         let number = self.surfaces.len() as u32 - 1;
         self.surface_numbers.insert(key, number);
         number

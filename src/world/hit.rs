@@ -105,6 +105,8 @@ pub struct Surface {
     pub layers: Vec<SurfaceLayer>,
     /// Whether some layer lets no light through anywhere.
     pub opaque: bool,
+    /// Whether some layer hangs on how a ray met the surface, not on the point alone.
+    pub asks_hit: bool,
 }
 
 #[derive(Debug)]
