@@ -1,8 +1,9 @@
 //! Stored photons against the reference's maps, photon by photon in the order of the tree.
 
 use glint::interp::interpret_str;
+use glint::light::PackedPhoton;
 use glint::render::{Settings as Rendering, Unobserved, indirect};
-use glint::trace::photon::{Packed, PhotonMap};
+use glint::trace::photon::PhotonMap;
 use glint::trace::{Photons, Settings};
 use glint::world::World;
 use std::collections::BTreeMap;
@@ -15,12 +16,12 @@ fn data(name: &str) -> String {
 }
 
 /// Maps by scene; `scene:media` are those of media.
-fn oracles() -> BTreeMap<String, Vec<Packed>> {
-    let mut all: BTreeMap<String, Vec<Packed>> = BTreeMap::new();
+fn oracles() -> BTreeMap<String, Vec<PackedPhoton>> {
+    let mut all: BTreeMap<String, Vec<PackedPhoton>> = BTreeMap::new();
     for line in data("3-photon-map-oracle.csv").lines().skip(2) {
         let f: Vec<&str> = line.split(',').collect();
         let whole = |i: usize| f[i].parse::<i16>().unwrap();
-        all.entry(f[0].to_owned()).or_default().push(Packed {
+        all.entry(f[0].to_owned()).or_default().push(PackedPhoton {
             place: [2, 3, 4].map(|i| f[i].parse().unwrap()),
             energy: [5, 6, 7, 8].map(|i| whole(i) as u8),
             axis: whole(9) as u8,
@@ -43,13 +44,13 @@ fn photons(name: &str, threads: usize) -> Arc<Photons> {
 
 /// The reference lets a photon go on as not-a-number after media so thin that none was left there; what it
 /// stores from then on is black. Glint takes from it what the media take.
-fn is_blackened(p: &Packed) -> bool {
+fn is_blackened(p: &PackedPhoton) -> bool {
     p.energy == [0, 0, 0, 250]
 }
 
 /// Places agree to 1e-6, energies and angles to one step: they are cut, not rounded, and the last bit of a
 /// place decides.
-fn agree(a: &Packed, b: &Packed) -> bool {
+fn agree(a: &PackedPhoton, b: &PackedPhoton) -> bool {
     let near = |i: usize| (a.place[i] - b.place[i]).abs() <= 1e-6 * (1.0 + a.place[i].abs());
     let energy = is_blackened(a) || (0..4).all(|i| a.energy[i].abs_diff(b.energy[i]) <= 1);
     let angles = a.elevation.abs_diff(b.elevation) <= 1 && a.azimuth.abs_diff(b.azimuth) <= 1;
@@ -57,8 +58,8 @@ fn agree(a: &Packed, b: &Packed) -> bool {
 }
 
 /// How many photons of `map` are those of `expected`, in whatever order.
-fn matches(expected: &[Packed], map: &PhotonMap) -> usize {
-    let mut left: Vec<&Packed> = map.photons().iter().collect();
+fn matches(expected: &[PackedPhoton], map: &PhotonMap) -> usize {
+    let mut left: Vec<&PackedPhoton> = map.photons().iter().collect();
     let mut count = 0;
     for e in expected {
         if let Some(i) = left.iter().position(|p| agree(e, p)) {

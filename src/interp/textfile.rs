@@ -68,7 +68,13 @@ impl Parser {
         }
     }
 
-    fn check_place(&self, path: &std::path::Path, writing: bool, span: Span) -> Result<()> {
+    /// Refuses files outside of the scene's folder and the working folder.
+    pub(in crate::interp) fn check_place(
+        &self,
+        path: &std::path::Path,
+        writing: bool,
+        span: Span,
+    ) -> Result<()> {
         if self.may_open(path, writing) {
             return Ok(());
         }

@@ -4,11 +4,15 @@
 mod area;
 mod cylinder;
 mod fade;
+mod packed;
+mod photon_file;
 mod spot;
 
 pub use area::AreaLight;
 pub use cylinder::CylinderBeam;
 pub use fade::factor as fade_factor;
+pub use packed::PackedPhoton;
+pub use photon_file::PhotonFile;
 pub use spot::SpotBeam;
 
 use crate::color::Rgb;
@@ -29,6 +33,8 @@ pub struct Light {
     pub media_attenuation: bool,
     pub media_interaction: bool,
     pub photons: LightPhotons,
+    /// The axis, once worked out by [`Light::prepared`].
+    pub known_axis: Option<Vec3>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +85,7 @@ impl Default for Light {
             media_attenuation: false,
             media_interaction: true,
             photons: LightPhotons::default(),
+            known_axis: None,
         }
     }
 }
@@ -86,13 +93,27 @@ impl Default for Light {
 impl Light {
     /// Unit vector from the location towards `point_at`.
     pub fn axis(&self) -> Vec3 {
-        (self.point_at - self.location).normalize_or(Vec3::Z)
+        self.known_axis.unwrap_or_else(|| (self.point_at - self.location).normalize_or(Vec3::Z))
+    }
+
+    /// The same light, quicker to ask. It is not to be changed any more.
+    pub fn prepared(mut self) -> Light {
+        self.known_axis = None;
+        self.known_axis = Some(self.axis());
+        if let LightKind::Spot(beam) = &mut self.kind {
+            *beam = beam.prepared();
+        }
+        self
     }
 
     /// The light at `p`; `offset` moves the lamp (a sample of an area light), else zero. `None` where no
     /// light arrives.
     pub fn arrival(&self, p: Vec3, offset: Vec3) -> Option<Arrival> {
-        let (direction, distance) = self.towards(p, offset);
+        self.arrival_from(p, offset, self.towards(p, offset))
+    }
+
+    /// The same with what [`Light::towards`] said.
+    pub fn arrival_from(&self, p: Vec3, offset: Vec3, (direction, distance): (Vec3, f64)) -> Option<Arrival> {
         let cone = match &self.kind {
             LightKind::Point => 1.0,
             LightKind::Spot(beam) => beam.factor(-direction.dot(self.axis())),

@@ -1,5 +1,8 @@
 use crate::color::{Gamma, Rgb};
+use crate::light::PhotonFile;
 use crate::pattern::NoiseGenerator;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// `global_settings`, and what the language version decides for the picture.
 #[derive(Clone, Debug)]
@@ -115,6 +118,10 @@ pub struct PhotonSettings {
     pub media_factor: f64,
     pub max_trace_level: Option<u32>,
     pub adc_bailout: Option<f32>,
+    /// Maps that take the place of shooting.
+    pub load: Option<Arc<PhotonFile>>,
+    /// Where the maps are kept.
+    pub save_file: Option<PathBuf>,
 }
 
 impl Default for PhotonSettings {
@@ -134,6 +141,8 @@ impl Default for PhotonSettings {
             media_factor: 1.0,
             max_trace_level: None,
             adc_bailout: None,
+            load: None,
+            save_file: None,
         }
     }
 }

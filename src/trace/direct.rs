@@ -64,10 +64,11 @@ impl Tracer<'_> {
         if lamps.is_some() {
             return self.by_lamps(site, look, source);
         }
-        let Some(arrival) = light.arrival(point, Vec3::ZERO) else { return Rgb::ZERO };
-        let Some(behind) = look.is_lit_from_behind(arrival.direction, site.hit.double_illuminate) else {
+        let towards = light.towards(point, Vec3::ZERO);
+        let Some(behind) = look.is_lit_from_behind(towards.0, site.hit.double_illuminate) else {
             return Rgb::ZERO;
         };
+        let Some(arrival) = light.arrival_from(point, Vec3::ZERO, towards) else { return Rgb::ZERO };
         let color = match kept.and_then(|k| self.lit[k]) {
             Some(color) => color,
             None => {

@@ -364,7 +364,8 @@ impl Flattened {
             self.projectors.push(solid);
             self.projectors.len() as u32 - 1
         });
-        let light = WorldLight { light: source.light.transformed(to_world), projected_through, number: 0 };
+        let light =
+            WorldLight { light: source.light.transformed(to_world).prepared(), projected_through, number: 0 };
         if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
     }
 

@@ -12,7 +12,7 @@ use crate::picture::light::Light;
 use crate::picture::{Encoding, Output, Picture, PictureError, load};
 use crate::render::adaptive::{self, Clock};
 use crate::render::{indirect, render};
-use crate::trace::{Counters, Tracer};
+use crate::trace::{Counters, Indirect, Tracer};
 use crate::world::World;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -115,8 +115,8 @@ impl<'a> Job<'a> {
         let traced = Instant::now();
         let live = self.start(&world);
         let (counters, adaptive) = match self.plan.accuracy {
-            None => (self.trace(&world, &live), None),
-            Some(accuracy) => self.trace_adaptively(&world, &live, &accuracy, &wall),
+            None => (self.trace(&world, &live)?, None),
+            Some(accuracy) => self.trace_adaptively(&world, &live, &accuracy, &wall)?,
         };
         let (trace_cpu_s, trace_wall_s) = (lap.next(), traced.elapsed().as_secs_f64());
         if live.canvas.was_cancelled() {
@@ -166,15 +166,16 @@ impl<'a> Job<'a> {
         live
     }
 
-    fn trace(&self, world: &World, live: &Live) -> Counters {
+    fn trace(&self, world: &World, live: &Live) -> Result<Counters, Failure> {
         let settings = self.plan.trace_settings();
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let canvas = &live.canvas;
         let pool = &self.plan.pool;
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
+        save_photons(world, &light)?;
         let sampler = || Tracer::lit(world, &settings, &light);
         let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
-        total(counters, &tracers)
+        Ok(total(counters, &tracers))
     }
 
     fn trace_adaptively(
@@ -183,19 +184,28 @@ impl<'a> Job<'a> {
         live: &Live,
         accuracy: &Accuracy,
         wall: &Wall,
-    ) -> (Counters, Option<Reached>) {
+    ) -> Result<(Counters, Option<Reached>), Failure> {
         let settings = self.plan.trace_settings();
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let late = accuracy.time_limit.map(|limit| limit - writing_seconds(self.plan));
         let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
         let (pool, canvas) = (&self.plan.pool, &live.canvas);
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
+        save_photons(world, &light)?;
         let tracer = || Tracer::lit(world, &settings, &light);
         let outcome = adaptive::render(&sampling, pool, &canvas.picture, canvas, wall, tracer);
         let words = self.task.command(&self.plan.command);
         let reached = Reached::new(&outcome, self.plan.region, &words);
-        (total(counters, &outcome.samplers), Some(reached))
+        Ok((total(counters, &outcome.samplers), Some(reached)))
     }
+}
+
+/// Writes the photon maps where the scene wants them kept.
+fn save_photons(world: &World, light: &Indirect) -> Result<(), Failure> {
+    let path = world.scene.globals.photons.as_ref().and_then(|p| p.save_file.as_ref());
+    let (Some(path), Some(photons)) = (path, &light.photons) else { return Ok(()) };
+    std::fs::write(path, photons.to_file())
+        .map_err(|e| Failure::unavailable(format!("cannot write {}: {e}", path.display())))
 }
 
 /// About how long it takes to encode and write a picture.

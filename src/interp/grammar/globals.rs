@@ -1,11 +1,15 @@
 //! `global_settings`.
 
 use crate::color::Gamma;
+use crate::interp::lookup::Kind;
 use crate::interp::{Parser, Result};
+use crate::light::PhotonFile;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{PhotonSettings, RadiositySettings, SubsurfaceSettings};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, Tok, Token};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 impl Parser {
     /// `global_settings { … }`; the word is the next token.
@@ -251,13 +255,24 @@ impl Parser {
             }
             Keyword::MaxTraceLevel => p.max_trace_level = Some(self.whole(1.0, 256.0)?),
             Keyword::AdcBailout => p.adc_bailout = Some(self.float()? as f32),
-            Keyword::LoadFile | Keyword::SaveFile => {
-                self.file_name()?;
-                self.unsupported(span, "photon files");
+            Keyword::LoadFile => p.load = Some(self.photon_file(span)?),
+            Keyword::SaveFile => {
+                let path = PathBuf::from(self.file_name()?);
+                self.check_place(&path, true, span)?;
+                p.save_file = Some(path);
             }
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// The maps of the file that is named next.
+    fn photon_file(&mut self, span: Span) -> Result<Arc<PhotonFile>> {
+        let name = self.file_name()?;
+        let path = self.require_file(&name, Kind::Data, span)?;
+        let refused = |why: String| Box::new(Diagnostic::error(span, format!("cannot read `{name}`: {why}")));
+        let bytes = std::fs::read(&path).map_err(|e| refused(e.to_string()))?;
+        PhotonFile::read(&bytes).map(Arc::new).ok_or_else(|| refused("it holds no photons".into()))
     }
 
     /// Up to four numbers: radius and multiplier on surfaces, the same in media.

@@ -8,9 +8,9 @@ use super::super::shade::Site;
 use super::super::tracer::Tracer;
 use super::super::{reflect, spectrum};
 use super::aim::{Aim, Kinds, Shot};
-use super::packed::Packed;
 use super::{Landed, Stream};
 use crate::color::{Rgb, grey};
+use crate::light::PackedPhoton;
 use crate::light::{Light, fade_factor};
 use crate::math::{Range, Ray, Vec3};
 use crate::world::{PhotonRules, RayClass};
@@ -111,7 +111,7 @@ impl Tracer<'_> {
         flight.travelled += hit.t;
         if !flight.seeking && arrival.rules.collect {
             let energy = energy(run, flight.color, flight.travelled, run.aim.spacing);
-            run.landed.surface.push(Packed::new(hit.point, energy, -site.ray.dir));
+            run.landed.surface.push(PackedPhoton::new(hit.point, energy, -site.ray.dir));
         }
         let stack = self.photon_stack(site, layers);
         flight.seeking = arrival.passing;
@@ -265,7 +265,7 @@ impl Tracer<'_> {
             let reach = if parallel { 1.0 } else { length };
             let share = share * run.aim.spacing * reach;
             let energy = energy(run, before * share as f32, length, run.aim.spacing);
-            run.landed.media.push(Packed::new(site.ray.at(along), energy, -site.ray.dir));
+            run.landed.media.push(PackedPhoton::new(site.ray.at(along), energy, -site.ray.dir));
         }
     }
 }

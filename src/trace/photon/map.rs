@@ -5,13 +5,13 @@
 //!
 //! Reference: H. W. Jensen, "Realistic Image Synthesis Using Photon Mapping", 2001, chapter 6.
 
-use super::packed::Packed;
+use crate::light::PackedPhoton;
 use crate::math::Vec3;
 
 /// The tree. Knows nothing of how photons came about.
 #[derive(Clone, Debug, Default)]
 pub struct PhotonMap {
-    photons: Vec<Packed>,
+    photons: Vec<PackedPhoton>,
 }
 
 /// Photons around a point.
@@ -40,17 +40,17 @@ const FLATTENING: f64 = 16.0;
 
 impl PhotonMap {
     /// Sorts photons, in order of storage, into a tree.
-    pub fn new(mut photons: Vec<Packed>) -> Self {
+    pub fn new(mut photons: Vec<PackedPhoton>) -> Self {
         build(&mut photons);
         Self { photons }
     }
 
     /// Photons as a file kept them, in the order of the tree already.
-    pub fn from_sorted(photons: Vec<Packed>) -> Self {
+    pub fn from_sorted(photons: Vec<PackedPhoton>) -> Self {
         Self { photons }
     }
 
-    pub fn photons(&self) -> &[Packed] {
+    pub fn photons(&self) -> &[PackedPhoton] {
         &self.photons
     }
 
@@ -68,7 +68,7 @@ impl PhotonMap {
         found.radius = search.radius;
     }
 
-    fn visit(&self, range: &[Packed], first: u32, search: &mut Search, found: &mut Vec<(f64, u32)>) {
+    fn visit(&self, range: &[PackedPhoton], first: u32, search: &mut Search, found: &mut Vec<(f64, u32)>) {
         if range.is_empty() {
             return;
         }
@@ -139,7 +139,7 @@ fn sift_down(heap: &mut [(f64, u32)], mut i: usize) {
 }
 
 /// Orders a range: along the axis of its largest extent, the median in the middle.
-fn build(photons: &mut [Packed]) {
+fn build(photons: &mut [PackedPhoton]) {
     let count = photons.len();
     if count < 2 {
         photons.iter_mut().for_each(|p| p.axis = 0);
@@ -158,7 +158,7 @@ fn build(photons: &mut [Packed]) {
 }
 
 /// Of equal extents the first axis counts.
-fn widest(photons: &[Packed]) -> usize {
+fn widest(photons: &[PackedPhoton]) -> usize {
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for p in photons {
         for a in 0..3 {
@@ -172,11 +172,11 @@ fn widest(photons: &[Packed]) -> usize {
 
 /// Quickselect with the median of three as pivot; which photon goes where is that of the reference, as
 /// searches that overflow depend on it.
-fn partition(p: &mut [Packed], middle: usize, axis: usize) {
+fn partition(p: &mut [PackedPhoton], middle: usize, axis: usize) {
     let (mut left, mut right) = (0, p.len() - 1);
     while left < right {
         p.swap((left + right) / 2, left + 1);
-        let v = |p: &[Packed], i: usize| p[i].place[axis];
+        let v = |p: &[PackedPhoton], i: usize| p[i].place[axis];
         if v(p, left + 1) > v(p, right) {
             p.swap(left + 1, right);
         }
@@ -219,12 +219,12 @@ mod tests {
     use super::*;
     use crate::color::Rgb;
 
-    fn scattered(count: u32) -> Vec<Packed> {
+    fn scattered(count: u32) -> Vec<PackedPhoton> {
         let place = |i: u32| {
             let f = f64::from(i);
             Vec3::new((f * 0.71).sin() * 5.0, (f * 0.37).cos(), (f * 1.93).sin() * 3.0)
         };
-        (0..count).map(|i| Packed::new(place(i), Rgb::ONE, Vec3::Y)).collect()
+        (0..count).map(|i| PackedPhoton::new(place(i), Rgb::ONE, Vec3::Y)).collect()
     }
 
     #[test]
@@ -253,8 +253,8 @@ mod tests {
 
     #[test]
     fn photons_off_the_plane_count_as_farther() {
-        let above = Packed::new(Vec3::new(0.0, 0.5, 0.0), Rgb::ONE, Vec3::Y);
-        let beside = Packed::new(Vec3::new(0.5, 0.0, 0.0), Rgb::ONE, Vec3::Y);
+        let above = PackedPhoton::new(Vec3::new(0.0, 0.5, 0.0), Rgb::ONE, Vec3::Y);
+        let beside = PackedPhoton::new(Vec3::new(0.5, 0.0, 0.0), Rgb::ONE, Vec3::Y);
         let map = PhotonMap::new(vec![above, beside]);
         let mut found = Nearby::default();
         map.gather(Vec3::ZERO, 1.0, 9, Some(Vec3::Y), &mut found);

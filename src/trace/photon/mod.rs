@@ -8,18 +8,16 @@
 
 mod aim;
 mod estimate;
-mod file;
 mod follow;
 mod map;
 mod media;
-mod packed;
 mod radius;
 
 pub use aim::{Kinds, Stream};
 pub use map::{Nearby, PhotonMap};
-pub use packed::Packed;
 
 use super::{Settings, Tracer};
+use crate::light::{PackedPhoton, PhotonFile};
 use crate::scene::PhotonSettings;
 use crate::world::World;
 use aim::{Aim, Shot};
@@ -39,8 +37,8 @@ pub struct Photons {
 /// Photons that one shot left.
 #[derive(Clone, Debug, Default)]
 pub struct Landed {
-    surface: Vec<Packed>,
-    media: Vec<Packed>,
+    surface: Vec<PackedPhoton>,
+    media: Vec<PackedPhoton>,
     hit_target: bool,
 }
 
@@ -63,8 +61,8 @@ pub struct Shooting<'w> {
     media_draws: Stream,
     shots: Vec<Shot>,
     rings: Vec<Ring>,
-    surface: Vec<Packed>,
-    media: Vec<Packed>,
+    surface: Vec<PackedPhoton>,
+    media: Vec<PackedPhoton>,
 }
 
 /// A ring of the present salvo.
@@ -80,7 +78,7 @@ impl<'w> Shooting<'w> {
     pub fn new(world: &'w World, settings: &Settings) -> Option<Self> {
         let photons = world.scene.globals.photons.clone();
         let photons = photons.filter(|p| settings.quality >= 9 && p.gather_max > 0)?;
-        let aims = aim::aims(world, &photons);
+        let aims = if photons.load.is_some() { Vec::new() } else { aim::aims(world, &photons) };
         Some(Self {
             world,
             settings: settings.clone(),
@@ -194,15 +192,13 @@ impl<'w> Shooting<'w> {
 
     /// The maps as trees, with their radii.
     pub fn finish(self) -> Arc<Photons> {
-        let (surface, media) = (PhotonMap::new(self.surface), PhotonMap::new(self.media));
+        let (surface, media) = match &self.photons.load {
+            Some(file) => {
+                (PhotonMap::from_sorted(file.surface.clone()), PhotonMap::from_sorted(file.media.clone()))
+            }
+            None => (PhotonMap::new(self.surface), PhotonMap::new(self.media)),
+        };
         Arc::new(Photons::new(self.photons, surface, media))
-    }
-
-    /// The maps of a file; `None` if it is none.
-    pub fn from_file(&self, bytes: &[u8]) -> Option<Arc<Photons>> {
-        let (surface, media) = file::read(bytes)?;
-        let (surface, media) = (PhotonMap::from_sorted(surface), PhotonMap::from_sorted(media));
-        Some(Arc::new(Photons::new(self.photons.clone(), surface, media)))
     }
 }
 
@@ -241,6 +237,6 @@ impl Photons {
 
     /// Both maps as a file.
     pub fn to_file(&self) -> Vec<u8> {
-        file::written(self.surface.photons(), self.media.photons())
+        PhotonFile::written(self.surface.photons(), self.media.photons())
     }
 }

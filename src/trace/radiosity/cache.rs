@@ -36,31 +36,49 @@ const MOST_CELLS: f64 = 1e9;
 
 const NONE: u32 = u32::MAX;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Cell {
     level: i32,
     index: [i64; 3],
+    edge: f64,
+    /// Counted from the corner.
+    center: Vec3,
 }
 
 impl Cell {
-    fn edge(self) -> f64 {
-        f64::from(self.level).exp2()
+    fn new(level: i32, index: [i64; 3]) -> Self {
+        let edge = f64::from(level).exp2();
+        let center = Vec3::from_array(index.map(|i| (i as f64 + 0.5) * edge));
+        Self { level, index, edge, center }
     }
 
     /// Places before the corner belong to the first cell.
     fn at(p: Vec3, level: i32) -> Self {
         let edge = f64::from(level).exp2();
-        Self { level, index: p.to_array().map(|x| (((x + CORNER) / edge).floor() as i64).max(0)) }
+        Self::new(level, p.to_array().map(|x| (((x + CORNER) / edge).floor() as i64).max(0)))
     }
 
     fn parent(self) -> Self {
-        Self { level: self.level + 1, index: self.index.map(|i| i >> 1) }
+        Self::new(self.level + 1, self.index.map(|i| i >> 1))
     }
 
     /// The cell of `level`, at or above its own, that contains it.
     fn ancestor(self, level: i32) -> Self {
         let up = (level - self.level).clamp(0, 63);
-        Self { level: self.level.max(level), index: self.index.map(|i| i >> up) }
+        Self::new(self.level.max(level), self.index.map(|i| i >> up))
+    }
+
+    fn contains(self, cell: Cell) -> bool {
+        cell.level <= self.level && cell.ancestor(self.level).index == self.index
+    }
+
+    /// The smallest cell that contains both.
+    fn joined(self, cell: Cell) -> Self {
+        let mut over = self;
+        while !over.contains(cell) {
+            over = over.parent();
+        }
+        over
     }
 
     /// Which child of its parent it is.
@@ -71,9 +89,25 @@ impl Cell {
 
     /// Whether `p` lies strictly inside the cell enlarged by half its edge on every side.
     fn surrounds(self, p: Vec3) -> bool {
-        let edge = self.edge();
-        let p = p.to_array();
-        (0..3).all(|a| (p[a] + CORNER - (self.index[a] as f64 + 0.5) * edge).abs() < edge)
+        self.holds(p + CORNER)
+    }
+
+    /// The same for a point counted from the corner.
+    fn holds(&self, shifted: Vec3) -> bool {
+        (shifted - self.center).abs().cmplt(Vec3::splat(self.edge)).all()
+    }
+
+    /// A bit for each octant whose cell, enlarged, holds the point.
+    fn octants_around(&self, shifted: Vec3) -> u8 {
+        let v = shifted - self.center;
+        let (near, far) = (0.25 * self.edge, 0.75 * self.edge);
+        let low = (v.cmplt(Vec3::splat(near)) & v.cmpgt(Vec3::splat(-far))).bitmask() as usize;
+        let high = (v.cmpgt(Vec3::splat(-near)) & v.cmplt(Vec3::splat(far))).bitmask() as usize;
+        const OF_X: [u8; 4] = [0, 0x0f, 0xf0, 0xff];
+        const OF_Y: [u8; 4] = [0, 0x33, 0xcc, 0xff];
+        const OF_Z: [u8; 4] = [0, 0x55, 0xaa, 0xff];
+        let pick = |axis: usize| (low >> axis & 1) | ((high >> axis & 1) << 1);
+        OF_X[pick(0)] & OF_Y[pick(1)] & OF_Z[pick(2)]
     }
 
     /// The cell of a sample at `p` that reaches `reach` around.
@@ -89,26 +123,49 @@ impl Cell {
     }
 }
 
+/// What a search reads first of a sample.
+#[derive(Clone, Copy, Debug)]
+struct Head {
+    point: Vec3,
+    radius: f32,
+    /// Place in `Cache::samples`.
+    place: u32,
+}
+
 #[derive(Clone, Debug)]
 struct Node {
     cell: Cell,
     children: [u32; 8],
-    /// Places in `Cache::samples`, the newest last.
-    samples: Vec<u32>,
+    /// A bit for each child that there is.
+    present: u8,
+    /// The newest last.
+    samples: Vec<Head>,
 }
 
 impl Node {
     fn new(cell: Cell) -> Self {
-        Self { cell, children: [NONE; 8], samples: Vec::new() }
+        Self { cell, children: [NONE; 8], present: 0, samples: Vec::new() }
+    }
+
+    fn adopt(&mut self, octant: usize, child: u32) {
+        self.children[octant] = child;
+        self.present |= 1 << octant;
     }
 }
 
-/// The octree. Holds samples of all depths.
+/// Samples of one depth.
+#[derive(Clone, Debug, Default)]
+struct Tree {
+    nodes: Vec<Node>,
+    root: u32,
+}
+
+/// The octree. Samples of different depths do not meet; what is the root is decided by all of them.
 #[derive(Clone, Debug, Default)]
 pub struct Cache {
     samples: Vec<Sample>,
-    nodes: Vec<Node>,
-    root: u32,
+    trees: Vec<Tree>,
+    root: Option<Cell>,
 }
 
 impl Cache {
@@ -119,15 +176,71 @@ impl Cache {
 
     pub fn clear(&mut self) {
         self.samples.clear();
-        self.nodes.clear();
+        self.trees.iter_mut().for_each(|t| t.nodes.clear());
+        self.root = None;
     }
 
     pub fn insert(&mut self, sample: Sample) {
         let cell = Cell::of(sample.point, sample.reach);
-        let place = self.samples.len() as u32;
+        let depth = sample.depth as usize;
+        if self.trees.len() <= depth {
+            self.trees.resize_with(depth + 1, Tree::default);
+        }
+        let root = self.root.map_or(cell, |root| root.joined(cell));
+        self.root = Some(root);
+        let head = Head { point: sample.point, radius: sample.radius, place: self.samples.len() as u32 };
         self.samples.push(sample);
+        self.trees[depth].insert(cell, head);
+    }
+
+    /// Calls `visit` with the samples of `depth` that are seen from `p` and whose radius times `bound`
+    /// reaches it.
+    pub fn around(&self, p: Vec3, depth: u32, bound: f64, mut visit: impl FnMut(&Sample)) {
+        let Some(tree) = self.trees.get(depth as usize) else { return };
+        let Some(root) = tree.nodes.get(tree.root as usize) else { return };
+        let search = Search { p, shifted: p + CORNER, bound };
+        let inside = root.cell.holds(search.shifted);
+        if inside {
+            self.visit_children(tree, root, &search, &mut visit);
+        }
+        if inside || Some(root.cell) == self.root {
+            self.visit_samples(root, &search, &mut visit);
+        }
+    }
+
+    /// The samples below a node that surrounds the point.
+    fn visit_children(&self, tree: &Tree, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
+        let mut left = node.present & node.cell.octants_around(search.shifted);
+        while left != 0 {
+            let child = &tree.nodes[node.children[left.trailing_zeros() as usize] as usize];
+            left &= left - 1;
+            self.visit_children(tree, child, search, visit);
+            self.visit_samples(child, search, visit);
+        }
+    }
+
+    fn visit_samples(&self, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
+        for head in node.samples.iter().rev() {
+            let reach = f64::from(head.radius) * search.bound;
+            if search.p.distance_squared(head.point) < reach * reach {
+                visit(&self.samples[head.place as usize]);
+            }
+        }
+    }
+}
+
+/// Where samples are looked for.
+struct Search {
+    p: Vec3,
+    /// The same counted from the corner.
+    shifted: Vec3,
+    bound: f64,
+}
+
+impl Tree {
+    fn insert(&mut self, cell: Cell, head: Head) {
         let node = self.node(cell);
-        self.nodes[node as usize].samples.push(place);
+        self.nodes[node as usize].samples.push(head);
     }
 
     /// The node of `cell`, made if need be together with all between it and the root.
@@ -146,7 +259,7 @@ impl Cache {
                 NONE => {
                     let made = self.nodes.len() as u32;
                     self.nodes.push(Node::new(next));
-                    self.nodes[at as usize].children[octant] = made;
+                    self.nodes[at as usize].adopt(octant, made);
                     made
                 }
                 child => child,
@@ -159,41 +272,13 @@ impl Cache {
     fn raise_root(&mut self, cell: Cell) {
         loop {
             let root = self.nodes[self.root as usize].cell;
-            if cell.level <= root.level && cell.ancestor(root.level) == root {
+            if root.contains(cell) {
                 return;
             }
             let mut over = Node::new(root.parent());
-            over.children[root.octant()] = self.root;
+            over.adopt(root.octant(), self.root);
             self.root = self.nodes.len() as u32;
             self.nodes.push(over);
-        }
-    }
-
-    /// Calls `visit` with the samples of `depth` that are seen from `p`.
-    pub fn around(&self, p: Vec3, depth: u32, mut visit: impl FnMut(&Sample)) {
-        let Some(root) = self.nodes.get(self.root as usize) else { return };
-        self.visit_samples(root, depth, &mut visit);
-        if root.cell.surrounds(p) {
-            self.visit_children(root, p, depth, &mut visit);
-        }
-    }
-
-    fn visit_children(&self, node: &Node, p: Vec3, depth: u32, visit: &mut impl FnMut(&Sample)) {
-        for &child in node.children.iter().filter(|&&c| c != NONE) {
-            let child = &self.nodes[child as usize];
-            if child.cell.surrounds(p) {
-                self.visit_children(child, p, depth, visit);
-                self.visit_samples(child, depth, visit);
-            }
-        }
-    }
-
-    fn visit_samples(&self, node: &Node, depth: u32, visit: &mut impl FnMut(&Sample)) {
-        for &i in node.samples.iter().rev() {
-            let sample = &self.samples[i as usize];
-            if sample.depth == depth {
-                visit(sample);
-            }
         }
     }
 }
@@ -231,11 +316,11 @@ mod tests {
         for &(p, reach) in &places {
             for shift in [Vec3::X, -Vec3::Y, Vec3::Z, Vec3::splat(-0.57)] {
                 let mut found = false;
-                cache.around(p + 0.999 * reach * shift, 0, |s| found |= s.point == p);
+                cache.around(p + 0.999 * reach * shift, 0, 1.0, |s| found |= s.point == p);
                 assert!(found, "{p} {reach}");
             }
         }
-        cache.around(Vec3::ZERO, 1, |_| panic!("no sample has that depth"));
+        cache.around(Vec3::ZERO, 1, 1.0, |_| panic!("no sample has that depth"));
     }
 
     #[test]
@@ -244,7 +329,7 @@ mod tests {
         cache.insert(sample(Vec3::ZERO, 0.5));
         cache.insert(sample(Vec3::splat(1000.0), 0.5));
         let mut count = 0;
-        cache.around(Vec3::splat(999.9), 0, |_| count += 1);
+        cache.around(Vec3::splat(999.9), 0, 1.0, |_| count += 1);
         assert_eq!(count, 1);
     }
 }

@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 /// A photon as the map keeps it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Packed {
+pub struct PackedPhoton {
     pub place: [f32; 3],
     /// Red, green, blue, exponent.
     pub energy: [u8; 4],
@@ -32,7 +32,7 @@ const EXPONENT_SHIFT: i32 = 250;
 /// Steps of half a turn.
 const STEPS: f64 = 127.0;
 
-impl Packed {
+impl PackedPhoton {
     /// A photon at `place` that came from `towards`, a unit vector.
     pub fn new(place: Vec3, energy: Rgb, towards: Vec3) -> Self {
         let flat = towards.x.hypot(towards.z);
@@ -90,17 +90,17 @@ mod tests {
     #[test]
     fn energy_comes_back_within_a_step() {
         for energy in [Rgb::new(0.7, 0.2, 0.01), Rgb::new(3e-9, 1e-9, 0.0), Rgb::splat(12.5)] {
-            let back = Packed::new(Vec3::ZERO, energy, Vec3::Y).energy();
+            let back = PackedPhoton::new(Vec3::ZERO, energy, Vec3::Y).energy();
             let step = energy.max_element() / 128.0;
             assert!((energy - back).abs().max_element() <= step, "{energy} {back}");
         }
-        assert_eq!(Packed::new(Vec3::ZERO, Rgb::ZERO, Vec3::Y).energy(), Rgb::ZERO);
+        assert_eq!(PackedPhoton::new(Vec3::ZERO, Rgb::ZERO, Vec3::Y).energy(), Rgb::ZERO);
     }
 
     #[test]
     fn directions_come_back_within_two_steps() {
         for d in [Vec3::new(2.0, 1.0, -2.0) / 3.0, Vec3::new(-0.6, -0.8, 0.0), Vec3::Y, Vec3::NEG_Z] {
-            let back = Packed::new(Vec3::ONE, Rgb::ONE, d).towards();
+            let back = PackedPhoton::new(Vec3::ONE, Rgb::ONE, d).towards();
             assert!((back.length() - 1.0).abs() < 1e-12 && back.dot(d) > (2.0 * PI / STEPS).cos(), "{d}");
         }
     }
