@@ -126,7 +126,11 @@ impl Tracer<'_> {
         let f = look.finish;
         let c = look.normal.dot(l);
         let mut sum = Rgb::ZERO;
-        let diffuse = if behind { f.diffuse_back } else { f.diffuse };
+        let diffuse = match behind {
+            _ if self.is_translucent(look) => 0.0,
+            true => f.diffuse_back,
+            false => f.diffuse,
+        };
         if diffuse > 0.0 {
             let cosine = c.abs() as f32;
             let falloff = if f.brilliance == 1.0 { cosine } else { cosine.powf(f.brilliance) };

@@ -13,6 +13,7 @@ use crate::math::{Ray, Transform, Vec3, chi_square};
 use crate::world::{Hit, RayClass, WorldLight};
 use glam::DAffine3;
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// A medium where it stands.
 #[derive(Debug)]
@@ -21,6 +22,8 @@ pub(super) struct Medium<'w> {
     world_to_medium: DAffine3,
     /// The density if it is the same everywhere.
     uniform: Option<Rgb>,
+    /// The last place asked for and the density there: light is followed from where it is scattered.
+    last: Cell<(Vec3, Rgb)>,
     /// Variances below which an interval has samples enough, by number of samples less 1.
     pub thresholds: Vec<f32>,
 }
@@ -32,6 +35,7 @@ impl<'w> Medium<'w> {
             media,
             world_to_medium: media.transform.then(place).inverse,
             uniform: media.densities.iter().map(plain).product(),
+            last: Cell::new((Vec3::NAN, Rgb::ZERO)),
             thresholds: thresholds(media),
         }
     }
@@ -71,7 +75,12 @@ pub(super) struct Stretch<'a, 'w> {
     /// `None` for shadow rays, which ask for the dimming alone.
     pub path: Option<&'a Path>,
     pub beams: SmallVec<[Beam<'w>; 4]>,
+    /// At most this share of the light sent from where is sampled now reaches the picture, per unit length.
+    pub share: Cell<f32>,
 }
+
+/// Light of samples that adds less than this to a pixel is not looked for.
+const UNSEEN: f32 = 1e-6;
 
 impl Stretch<'_, '_> {
     pub fn is_shadow(&self) -> bool {
@@ -128,7 +137,8 @@ impl<'w> Tracer<'w> {
             return Veil::NONE;
         }
         let beams = self.beams(ray, length, hit);
-        let stretch = Stretch { ray, length, media, path: Some(path), beams };
+        let stretch =
+            Stretch { ray, length, media, path: Some(path), beams, share: Cell::new(f32::INFINITY) };
         let plan = self.plan_of(&stretch);
         let (glow, depth) = sampling::sampled(self, &stretch, &plan);
         let factor = exp(-depth);
@@ -150,7 +160,8 @@ impl<'w> Tracer<'w> {
         if let Some(extinction) = media.iter().map(uniform).sum::<Option<Rgb>>() {
             return exp(-extinction * length as f32);
         }
-        let stretch = Stretch { ray, length, media, path: None, beams: SmallVec::new() };
+        let (beams, share) = (SmallVec::new(), Cell::new(f32::INFINITY));
+        let stretch = Stretch { ray, length, media, path: None, beams, share };
         let plan = self.plan_of(&stretch);
         exp(-sampling::sampled(self, &stretch, &plan).1)
     }
@@ -205,7 +216,7 @@ impl<'w> Tracer<'w> {
             return local;
         }
         if lit {
-            local.glow += scattering * self.scattered(stretch, p, s);
+            local.glow += scattering * self.scattered(stretch, p, s, scattering);
         }
         if self.photons.is_some() {
             local.glow += scattering * self.scattered_photons(stretch, p);
@@ -218,7 +229,16 @@ impl<'w> Tracer<'w> {
         if let Some(uniform) = medium.uniform {
             return uniform;
         }
-        let p = medium.world_to_medium.transform_point3(p);
+        let (place, density) = medium.last.get();
+        if place == p {
+            return density;
+        }
+        let density = self.density_at(medium, medium.world_to_medium.transform_point3(p));
+        medium.last.set((p, density));
+        density
+    }
+
+    fn density_at(&self, medium: &Medium, p: Vec3) -> Rgb {
         let at = |d: &std::sync::Arc<crate::material::Pigment>| {
             d.color(p, &self.context).map_or(Rgb::ZERO, |c| c.rgb)
         };
@@ -226,15 +246,19 @@ impl<'w> Tracer<'w> {
     }
 
     /// Light that arrives at `p` and is scattered to the eye, for scattering 1.
-    fn scattered(&mut self, stretch: &Stretch, p: Vec3, s: f64) -> Rgb {
+    fn scattered(&mut self, stretch: &Stretch, p: Vec3, s: f64, scattering: Rgb) -> Rgb {
         let Some(path) = stretch.path else { return Rgb::ZERO };
         let mut sum = Rgb::ZERO;
         for beam in stretch.beams.iter().filter(|b| b.from < s && s < b.to) {
             let Some(arrival) = beam.source.light.arrival(p, Vec3::ZERO) else { continue };
+            let phase = self.phase(stretch, arrival.direction.dot(stretch.ray.dir));
+            if (scattering * arrival.color * phase * stretch.share.get()).abs().max_element() < UNSEEN {
+                continue;
+            }
             let color =
                 self.shadowed(&Departure::free(p), &path.inside, beam.source, &arrival, RayClass::Image);
             if !is_dark(color) {
-                sum += self.phase(stretch, arrival.direction.dot(stretch.ray.dir)) * color;
+                sum += phase * color;
             }
         }
         sum

@@ -11,6 +11,9 @@ use smallvec::SmallVec;
 /// Halvings that method 3 makes at most, whatever the scene asks for.
 const DEEPEST: u32 = 24;
 
+/// Optical depth behind which nothing is seen: less than a millionth of the light comes through.
+const OPAQUE: f32 = 16.0;
+
 /// What decides about places.
 pub(super) struct Plan {
     /// The medium that decides, a place in `Tracer::media`.
@@ -86,13 +89,20 @@ pub(super) type Intervals = SmallVec<[Interval; 4]>;
 /// The light that the media on the stretch send, and their optical depth.
 pub(super) fn sampled(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan) -> (Rgb, Rgb) {
     let mut intervals = intervals(stretch, plan);
+    let mut front = Rgb::ZERO;
     for interval in &mut intervals {
-        match plan.method {
-            3 => adaptive(tracer, stretch, plan, interval),
-            _ => even_or_random(tracer, stretch, plan, interval),
+        if is_opaque(front) {
+            interval.samples = 1;
+            continue;
         }
+        match plan.method {
+            3 => adaptive(tracer, stretch, plan, interval, front),
+            _ => even_or_random(tracer, stretch, plan, interval, front),
+        }
+        front += interval.depth / interval.samples as f32;
     }
     if plan.method != 3 && !stretch.is_shadow() && plan.samples.1 > plan.samples.0 {
+        stretch.share.set(f32::INFINITY);
         for interval in &mut intervals {
             refine(tracer, stretch, plan, interval);
         }
@@ -146,7 +156,8 @@ fn push_equal(out: &mut Intervals, from: f64, to: f64, lit: bool, n: u32) {
 }
 
 /// Methods 1 and 2: the samples that every interval gets.
-fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval) {
+fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval, front: Rgb) {
+    stretch.aim(front, interval.length);
     let n = plan.samples.0;
     for j in 0..n {
         let random = tracer.random.draw();
@@ -156,6 +167,20 @@ fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval:
             (f64::from(j) + 0.5 + random * plan.jitter) / f64::from(n)
         };
         take(tracer, stretch, interval, d);
+    }
+}
+
+/// Whether so little light comes from behind the optical depth that it does not count.
+fn is_opaque(depth: Rgb) -> bool {
+    depth.min_element() > OPAQUE
+}
+
+impl Stretch<'_, '_> {
+    /// Sampling goes on behind optical depth `front`, in an interval of `length`.
+    fn aim(&self, front: Rgb, length: f64) {
+        if let Some(path) = self.path {
+            self.share.set(path.weight * exp(-front).max_element() * length as f32);
+        }
     }
 }
 
@@ -181,13 +206,19 @@ fn take(tracer: &mut Tracer, stretch: &Stretch, interval: &mut Interval, d: f64)
 }
 
 /// Method 3.
-fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval) {
+fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval, front: Rgb) {
     let n = (plan.samples.0 / 2 + 1).max(2);
     let step = 1.0 / f64::from(n + 1);
     let probe = Probe { stretch, plan, interval: *interval };
     let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
+    stretch.aim(front, interval.length);
     let mut before = probe.at(tracer, 0.0, step);
     for j in 1..=n {
+        let reached = front + depth / n as f32;
+        if is_opaque(reached) {
+            break;
+        }
+        stretch.aim(reached, interval.length);
         let (a, b) = (f64::from(j - 1) * step, f64::from(j) * step);
         let after = probe.at(tracer, b, step);
         let mean = probe.between(tracer, (a, before), (b, after), plan.level as i32 - 1);

@@ -19,6 +19,7 @@ mod shade;
 mod shadow;
 mod sky;
 mod spectrum;
+mod subsurface;
 mod tracer;
 
 pub use photon::{Photons, Shooting};

@@ -264,7 +264,9 @@ impl<'w> Tracer<'w> {
                 if !self.modern {
                     glow += finish.ambient * self.world.scene.globals.ambient_light;
                 }
-                diffuse = self.diffuse(site, look, filter);
+                if !self.gathers_below(look) {
+                    diffuse = self.diffuse(site, look, filter);
+                }
                 if dry {
                     return Rgb::ZERO;
                 }
@@ -272,7 +274,8 @@ impl<'w> Tracer<'w> {
             None => glow += finish.ambient * self.world.scene.globals.ambient_light,
         }
         let caustics = if self.photons.is_some() { self.caustics(site, look) } else { Rgb::ZERO };
-        look.color * (glow * look.opacity + diffuse) + self.direct(site, look) + caustics
+        let below = if self.subsurface.is_some() { self.light_from_below(site, look) } else { Rgb::ZERO };
+        below + look.color * (glow * look.opacity + diffuse) + self.direct(site, look) + caustics
     }
 
     /// Diffuse light from other surfaces, on the front and through from the back.

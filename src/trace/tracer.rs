@@ -5,6 +5,7 @@ use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::Onward;
 use super::sky::{self, Leaving};
+use super::subsurface::Subsurface;
 use super::{Counters, Pixel, Settings, rainbow};
 use crate::camera::Lens;
 use crate::color::Rgb;
@@ -39,6 +40,7 @@ pub struct Tracer<'w> {
     pub(super) modern: bool,
     pub(super) context: Context<'static>,
     pub(super) radiosity: Option<Radiosity>,
+    pub(super) subsurface: Option<Subsurface>,
     /// The photon maps, unless they are empty.
     pub(super) photons: Option<Arc<Photons>>,
     /// Lists of photons to be used again.
@@ -107,6 +109,7 @@ impl<'w> Tracer<'w> {
             modern: globals.effective_version >= 370,
             context: Context { noise: globals.noise_generator, waves: globals.number_of_waves, hit: None },
             radiosity: None,
+            subsurface: Subsurface::new(world, settings.quality),
             photons: None,
             spare_nearby: Vec::new(),
             collects: false,
@@ -146,6 +149,9 @@ impl<'w> Tracer<'w> {
     pub fn begin_block(&mut self, serial: usize) {
         if let Some(radiosity) = &mut self.radiosity {
             radiosity.begin_block(serial);
+        }
+        if let Some(subsurface) = &mut self.subsurface {
+            subsurface.begin_block(serial);
         }
     }
 

@@ -173,7 +173,7 @@ impl Parser {
     }
 
     fn subsurface(&mut self, finish: &mut Finish) -> Result<()> {
-        let token = self.next()?;
+        self.next()?;
         self.expect_punct(Punct::LeftBrace)?;
         loop {
             if self.accept(Keyword::Translucency)? {
@@ -185,9 +185,7 @@ impl Parser {
             }
         }
         self.expect_punct(Punct::RightBrace)?;
-        if finish.subsurface.is_some() {
-            self.unsupported(token.span, "subsurface light transport");
-        }
+        if finish.subsurface.is_some() {}
         Ok(())
     }
 

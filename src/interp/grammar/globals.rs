@@ -50,7 +50,6 @@ impl Parser {
             Keyword::Subsurface => {
                 let settings = self.subsurface_settings()?;
                 self.scene.scene.globals.subsurface = Some(settings);
-                self.unsupported(span, "subsurface");
             }
             _ => return Ok(false),
         }

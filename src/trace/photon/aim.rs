@@ -19,6 +19,17 @@ const FAINT: f64 = 1e-5;
 pub struct Stream(usize);
 
 impl Stream {
+    /// The numbers after number `i` of a row of `cycle`.
+    pub fn at(i: usize, cycle: usize) -> Self {
+        Self(i % cycle)
+    }
+
+    /// The next of the first `cycle` numbers.
+    pub fn draw_of(&mut self, cycle: usize) -> f64 {
+        self.0 = (self.0 + 1) % cycle;
+        uniform(uniform_table(), self.0)
+    }
+
     pub fn draw(&mut self) -> f64 {
         self.0 = (self.0 + 1) % UNIFORM_ENTRIES;
         uniform(uniform_table(), self.0)

@@ -93,6 +93,11 @@ impl Radiosity {
         self.depth == 0 || self.settings.media
     }
 
+    /// Whether rays see light from below surfaces.
+    pub fn sees_subsurface(&self) -> bool {
+        self.depth == 0 || self.settings.subsurface
+    }
+
     /// A ray from the camera starts.
     pub fn begin_ray(&mut self) {
         self.quality = 1.0;
