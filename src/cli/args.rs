@@ -147,6 +147,12 @@ pub struct AccuracyArgs {
     /// Take no more samples for the whole picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub max_samples: Option<u64>,
+    /// Samples that every pixel gets before any gets more; a power of two
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 16))]
+    pub min_samples: Option<u32>,
+    /// Which random numbers are drawn
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u32,
 }
 
 /// What replaces words of the scene.

@@ -4,6 +4,7 @@ use super::args::CompareArgs;
 use super::exit::{Exit, Failure};
 use super::json;
 use crate::picture::compare::{self, Difference};
+use crate::picture::light::{self, LightError};
 use crate::picture::{Output, load};
 use serde::Serialize;
 
@@ -14,6 +15,8 @@ struct Report {
     difference: Difference,
     /// Structural similarity with chroma, 1 for equal pictures; null for tiny ones.
     perceptual: Option<f64>,
+    /// In linear light clipped to 0..1.
+    light: LightError,
     width: u32,
     height: u32,
 }
@@ -21,8 +24,8 @@ struct Report {
 pub fn run(args: &CompareArgs) -> Result<Exit, Failure> {
     let (a, b) = (load::load(&args.a)?, load::load(&args.b)?);
     let difference = compare::compare(&a, &b).map_err(Failure::failed)?;
-    let report =
-        Report { difference, perceptual: compare::perceptual(&a, &b), width: a.width, height: a.height };
+    let (perceptual, light) = (compare::perceptual(&a, &b), light::compare_values(&a, &b));
+    let report = Report { difference, perceptual, light, width: a.width, height: a.height };
     if let Some(path) = &args.diff {
         let image = compare::difference_image(&a, &b).map_err(Failure::failed)?;
         Output::File(path.clone()).write(&compare::png_bytes(&image).map_err(Failure::failed)?)?;
@@ -54,9 +57,13 @@ fn text(report: &Report) -> String {
          RMSE                {:.4} of 255\n\
          largest difference  {} of 255\n\
          off by more than 8  {:.3} % of pixels\n\
-         perceptual          {perceptual} (structure and chroma, 1 = equal)\n",
+         perceptual          {perceptual} (structure and chroma, 1 = equal)\n\
+         PSNR in light       {} dB (RMSE {:.5}, worst tile {:.5})\n",
         d.rmse,
         (d.max_abs * 1000.0).round() / 1000.0,
         d.off_by_8_share * 100.0,
+        decibels(report.light.psnr_db),
+        report.light.rmse,
+        report.light.worst_tile_rmse,
     )
 }

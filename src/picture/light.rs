@@ -3,8 +3,9 @@
 //! Working values become light and are clipped to 0..1, so that it does not matter by how much a highlight
 //! exceeds what a file can hold. RMSE is taken over red, green and blue; PSNR is -20 log10 RMSE.
 
+use super::load::Values;
 use super::{Encoding, Picture, Pixel};
-use crate::color::{Gamma, Rgb};
+use crate::color::{Gamma, Rgb, linear_from_srgb};
 use serde::Serialize;
 
 /// Working values to light, clipped to 0..1.
@@ -67,17 +68,31 @@ pub fn rmse_from_decibels(db: f64) -> f64 {
 /// The measures. Both pictures have the same size.
 pub fn compare(a: &Picture, b: &Picture, light: &Light) -> LightError {
     assert_eq!((a.width, a.height), (b.width, b.height), "pictures of one size are compared");
-    let columns = a.width.div_ceil(TILE).max(1) as usize;
-    let mut tiles = vec![(0.0f64, 0u32); columns * a.height.div_ceil(TILE).max(1) as usize];
-    for y in 0..a.height {
-        for (x, (p, q)) in a.row(y).iter().zip(b.row(y)).enumerate() {
-            let tile = &mut tiles[(y / TILE) as usize * columns + x / TILE as usize];
-            tile.0 += squared_distance(light, p, q);
+    measure(a.width, a.height, |i| squared_distance(light, &a.pixels[i], &b.pixels[i]))
+}
+
+/// The same for pictures from files. Both have the same size.
+pub fn compare_values(a: &Values, b: &Values) -> LightError {
+    assert_eq!((a.width, a.height), (b.width, b.height), "pictures of one size are compared");
+    let light = |v: f32| linear_from_srgb(f64::from(v / 255.0).clamp(0.0, 1.0));
+    measure(a.width, a.height, |i| {
+        (0..3).map(|k| (light(a.pixels[i][k]) - light(b.pixels[i][k])).powi(2)).sum()
+    })
+}
+
+/// `squared` gives the squared distance of pixel number i, over its channels.
+fn measure(width: u32, height: u32, squared: impl Fn(usize) -> f64) -> LightError {
+    let columns = width.div_ceil(TILE).max(1) as usize;
+    let mut tiles = vec![(0.0f64, 0u32); columns * height.div_ceil(TILE).max(1) as usize];
+    for y in 0..height {
+        for x in 0..width {
+            let tile = &mut tiles[(y / TILE) as usize * columns + (x / TILE) as usize];
+            tile.0 += squared(y as usize * width as usize + x as usize);
             tile.1 += 1;
         }
     }
     let sum: f64 = tiles.iter().map(|t| t.0).sum();
-    let rmse = (sum / (3 * a.pixels.len().max(1)) as f64).sqrt();
+    let rmse = (sum / (3.0 * f64::from(width) * f64::from(height)).max(1.0)).sqrt();
     let worst = tiles.iter().map(|t| t.0 / f64::from(3 * t.1.max(1))).fold(0.0, f64::max);
     LightError { rmse, psnr_db: decibels(rmse), worst_tile_rmse: worst.sqrt() }
 }

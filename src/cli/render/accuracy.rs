@@ -15,6 +15,9 @@ pub struct Accuracy {
     /// Seconds from the start to the finished file.
     pub time_limit: Option<f64>,
     pub max_samples: Option<u64>,
+    /// Of every pixel.
+    pub min_samples: u32,
+    pub seed: u32,
 }
 
 impl Accuracy {
@@ -24,22 +27,26 @@ impl Accuracy {
 
     /// What was asked for, if sampling is to be adaptive at all.
     pub fn of(picture: &PictureArgs, args: &AccuracyArgs) -> Result<Option<Accuracy>, Failure> {
-        let named = args.max_error.is_some() || args.time_limit.is_some() || args.max_samples.is_some();
+        let limited = args.max_error.is_some() || args.time_limit.is_some() || args.max_samples.is_some();
+        let named = limited || args.min_samples.is_some();
         let adaptive = !matches!(picture.aa_method, Some(AaMethod::Grid | AaMethod::Recursive));
         if named && !adaptive {
             return Err(Failure::usage(
-                "--max-error, --time-limit and --max-samples belong to --aa-method adaptive",
+                "--max-error, --time-limit, --max-samples and --min-samples belong to --aa-method adaptive",
             ));
         }
         if !adaptive || !(named || picture.antialias.is_some()) {
             return Ok(None);
         }
-        let default = (!named).then_some(Adaptive::TARGET);
-        let threshold = picture.antialias.filter(|_| !named);
+        // Samples for all alone are an order for just these.
+        let only_base = named && !limited;
+        let threshold = picture.antialias.filter(|_| !named).map(error_of_threshold);
         Ok(Some(Accuracy {
-            max_error: args.max_error.or(threshold.map(error_of_threshold)).or(default),
+            max_error: args.max_error.or(threshold).or(only_base.then_some(1.0)),
             time_limit: args.time_limit,
             max_samples: args.max_samples,
+            min_samples: args.min_samples.unwrap_or(1),
+            seed: args.seed,
         }))
     }
 
@@ -49,6 +56,8 @@ impl Accuracy {
             target: Some(self.max_error.unwrap_or(Self::FINEST)),
             max_samples: self.max_samples,
             deadline: late,
+            base: self.min_samples,
+            seed: self.seed,
             ..Adaptive::new(region, light)
         }
     }
@@ -168,6 +177,8 @@ pub fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::args::{Cli, Command};
+    use clap::Parser;
 
     #[test]
     fn errors_are_numbers_or_decibels() {
@@ -184,6 +195,28 @@ mod tests {
         let times = [("10", 10.0), ("2.5s", 2.5), ("1.5min", 90.0), ("400ms", 0.4), ("1h", 3600.0)];
         assert!(times.iter().all(|(text, seconds)| parse_seconds(text) == Ok(*seconds)));
         assert!(["", "s", "0", "-1", "3 weeks"].iter().all(|t| parse_seconds(t).is_err()));
+    }
+
+    /// `-A` alone, a threshold, limits, and samples for all.
+    #[test]
+    fn what_is_typed_makes_sampling_adaptive() {
+        let of = |words: &[&str]| {
+            let words = [&["glint", "render", "a.pov"], words].concat();
+            match Cli::try_parse_from(words).unwrap().command {
+                Command::Render(args) => Accuracy::of(&args.picture, &args.accuracy).map(|a| {
+                    a.map(|a| (a.max_error.map(|e| (e * 1e4).round()), a.max_samples, a.min_samples))
+                }),
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!(of(&[]), Ok(None));
+        assert_eq!(of(&["-A"]), Ok(Some((Some(50.0), None, 1))));
+        assert_eq!(of(&["-A=0.03"]), Ok(Some((Some(5.0), None, 1))));
+        assert_eq!(of(&["-A", "--max-error=40dB"]), Ok(Some((Some(100.0), None, 1))));
+        assert_eq!(of(&["--max-samples=7"]), Ok(Some((None, Some(7), 1))));
+        assert_eq!(of(&["--min-samples=64"]), Ok(Some((Some(10000.0), None, 64))));
+        assert_eq!(of(&["-A", "--aa-method=1"]), Ok(None));
+        assert!(of(&["--aa-method=2", "--max-error=0.1"]).is_err());
     }
 
     #[test]
