@@ -10,7 +10,11 @@ use std::io::IsTerminal;
 use std::ops::Range;
 
 /// Draws a diagnostic on stderr.
-pub fn show(diagnostic: &Diagnostic, files: &Files) {
+pub fn show(diagnostic: &Diagnostic, files: &Files, ascii: bool) {
+    if ascii {
+        eprint!("{}", render_ascii(diagnostic, files));
+        return;
+    }
     let texts = Texts::of(diagnostic, files);
     let choice = if colored() { ColorChoice::Auto } else { ColorChoice::Never };
     let mut stderr = StandardStream::stderr(choice);
@@ -24,6 +28,15 @@ pub fn render(diagnostic: &Diagnostic, files: &Files) -> String {
     let texts = Texts::of(diagnostic, files);
     term::emit_into_string(&config(), &texts, &drawing(diagnostic))
         .unwrap_or_else(|_| line(diagnostic, files))
+}
+
+/// The same in ASCII, `?` for what has no place in it.
+fn render_ascii(diagnostic: &Diagnostic, files: &Files) -> String {
+    let texts = Texts::of(diagnostic, files);
+    let config = term::Config { chars: term::Chars::ascii(), ..config() };
+    let drawn = term::emit_into_string(&config, &texts, &drawing(diagnostic));
+    let text = drawn.unwrap_or_else(|_| line(diagnostic, files)).replace('…', "...");
+    text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect()
 }
 
 /// One line: place and message.
@@ -163,6 +176,14 @@ mod tests {
         let (files, file) = files(b"// \xff\xfe caf\xe9\r\nbox\n");
         let d = Diagnostic::warning(Span { file, start: 12, end: 15 }, "a box");
         assert!(render(&d, &files).contains("leaf.pov:2:1"), "{}", render(&d, &files));
+    }
+
+    #[test]
+    fn ascii_is_for_programs_that_read_along() {
+        let (files, file) = files("sphere { caf\u{e9} }\n".as_bytes());
+        let d = Diagnostic::error(Span { file, start: 9, end: 14 }, "unknown word `caf\u{e9}` …");
+        let text = render_ascii(&d, &files);
+        assert!(text.is_ascii() && text.contains("unknown word `caf?` ...") && text.contains("^"), "{text}");
     }
 
     #[test]

@@ -16,6 +16,8 @@ pub struct Options {
     pub interp: interp::Options,
     /// Features that are not rendered yet are errors.
     pub strict: bool,
+    /// Whoever reads the diagnostics decodes them as ASCII.
+    pub ascii: bool,
 }
 
 impl Options {
@@ -39,7 +41,7 @@ impl Options {
         }
         options.frame.clock = args.clock as f32;
         options.frame.clock_on = args.clock != 0.0;
-        Ok(Options { interp: options, strict: args.strict })
+        Ok(Options { interp: options, strict: args.strict, ascii: false })
     }
 }
 
@@ -72,10 +74,10 @@ pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Fail
     let Outcome { scene, files, warnings, unsupported, debug } = outcome;
     if !quiet {
         eprint!("{debug}");
-        show_all(&warnings, &files);
+        show_all(&warnings, &files, options.ascii);
     }
     let scene = scene.map_err(|error| {
-        diagnostic::show(&error, &files);
+        diagnostic::show(&error, &files, options.ascii);
         Failure::reported(diagnostic::line(&error, &files))
     })?;
     if options.strict && !unsupported.is_empty() {
@@ -122,12 +124,12 @@ fn source(path: &Path) -> Result<SceneSource, Failure> {
 /// At most this many warnings of one scene are drawn.
 const MAX_WARNINGS: usize = 50;
 
-fn show_all(warnings: &[Diagnostic], files: &Files) {
+fn show_all(warnings: &[Diagnostic], files: &Files, ascii: bool) {
     for warning in warnings.iter().take(MAX_WARNINGS) {
-        diagnostic::show(warning, files);
+        diagnostic::show(warning, files, ascii);
     }
     if warnings.len() > MAX_WARNINGS {
-        eprintln!("… and {} more warnings", warnings.len() - MAX_WARNINGS);
+        eprintln!("... and {} more warnings", warnings.len() - MAX_WARNINGS);
     }
 }
 

@@ -36,14 +36,9 @@ impl Encoding {
         Self { working, file: FileGamma::default(), bits: 8, alpha: false, grey: false, dither: Dither::None }
     }
 
-    /// The channels of a pixel in the file, by their places in red, green, blue, alpha.
-    fn channels(&self) -> &'static [usize] {
-        match (self.grey, self.alpha) {
-            (false, false) => &[0, 1, 2],
-            (false, true) => &[0, 1, 2, 3],
-            (true, false) => &[0],
-            (true, true) => &[0, 3],
-        }
+    /// How many values a pixel has in the file.
+    fn channels(&self) -> usize {
+        (if self.grey { 1 } else { 3 }) + usize::from(self.alpha)
     }
 
     /// The largest quantised value.
@@ -136,9 +131,13 @@ impl Encoding {
     }
 
     fn samples_of(&self, picture: &Picture) -> Vec<u16> {
-        let channels = self.channels();
-        let mut out = Vec::with_capacity(picture.pixels.len() * channels.len());
-        let mut put = |pixel: [u16; 4]| out.extend(channels.iter().map(|&c| pixel[c]));
+        let mut out = Vec::with_capacity(picture.pixels.len() * self.channels());
+        let mut put = |pixel: [u16; 4]| match (self.grey, self.alpha) {
+            (false, false) => out.extend_from_slice(&pixel[..3]),
+            (false, true) => out.extend_from_slice(&pixel),
+            (true, false) => out.push(pixel[0]),
+            (true, true) => out.extend_from_slice(&[pixel[0], pixel[3]]),
+        };
         if self.dither != Dither::None {
             dither::samples(picture, self, self.dither).into_iter().for_each(put);
             return out;

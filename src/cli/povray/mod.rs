@@ -22,6 +22,7 @@ use animation::Animation;
 use naming::FileType;
 use settings::Settings;
 use std::collections::BTreeSet;
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -231,7 +232,7 @@ fn options(settings: &Settings) -> Result<scene::Options, Failure> {
             }
         }
     }
-    Ok(scene::Options { interp: options, strict: false })
+    Ok(scene::Options { interp: options, strict: false, ascii: !std::io::stderr().is_terminal() })
 }
 
 #[cfg(test)]
