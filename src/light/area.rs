@@ -58,7 +58,7 @@ impl AreaLight {
         let (a, b) = (part(u, self.size1), part(v, self.size2));
         if self.is_disc() {
             let (a, b) = (a + OFF_CENTRE, b + OFF_CENTRE);
-            let q = a.abs().max(b.abs()) / a.hypot(b);
+            let q = a.abs().max(b.abs()) / (a * a + b * b).sqrt();
             axis1 * (a * q) + axis2 * (b * q)
         } else {
             axis1 * a + axis2 * b

@@ -140,7 +140,7 @@ impl Light {
             return (back, to_lamp.dot(back));
         }
         let distance = to_lamp.length();
-        (to_lamp / distance, distance)
+        (to_lamp * distance.recip(), distance)
     }
 
     /// The stretch of `ray` that the light's beam may light, unclipped.

@@ -48,8 +48,11 @@ impl Cone {
     fn spans(&self, ray: &Ray) -> Spans {
         let oc = ray.origin - self.base;
         let (height, climb) = (oc.dot(self.axis), ray.dir.dot(self.axis));
-        let Some(ends) = end_span(height, climb, self.length) else { return Spans::new() };
         let mut spans = self.wall(oc, ray.dir, height, climb);
+        if spans.is_empty() {
+            return spans;
+        }
+        let Some(ends) = end_span(height, climb, self.length) else { return Spans::new() };
         spans.retain(|s| {
             // A line through the apex may touch the wall; one that grazes a rim misses.
             let touches = s.enter.0 == s.leave.0;

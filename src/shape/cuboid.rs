@@ -23,8 +23,20 @@ impl Cuboid {
         Self { extent: Aabb::new(a, b) }
     }
 
+    /// Whether the line passes by so clearly that no rounding matters. Most lines do.
+    fn is_plainly_missed(&self, ray: &Ray) -> bool {
+        let inverse = ray.dir.recip();
+        let a = (self.extent.min - ray.origin) * inverse;
+        let b = (self.extent.max - ray.origin) * inverse;
+        let (enter, leave) = (a.min(b).max_element(), a.max(b).min_element());
+        enter - leave > 1e-6 * (enter.abs() + leave.abs())
+    }
+
     /// Entry and exit of a line, in this order.
     pub(super) fn ends(&self, ray: &Ray) -> Option<[Crossing; 2]> {
+        if self.is_plainly_missed(ray) {
+            return None;
+        }
         let mut enter = (f64::NEG_INFINITY, 0);
         let mut leave = (f64::INFINITY, 0);
         for axis in 0..3 {

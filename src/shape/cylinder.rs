@@ -40,8 +40,8 @@ impl Cylinder {
     fn span(&self, ray: &Ray) -> Option<Span> {
         let oc = ray.origin - self.base;
         let (height, climb) = (oc.dot(self.axis), ray.dir.dot(self.axis));
-        let ends = end_span(height, climb, self.length)?;
         let wall = self.wall(oc - height * self.axis, ray.dir - climb * self.axis)?;
+        let ends = end_span(height, climb, self.length)?;
         let span = if self.open { ends.intersection(wall) } else { wall.intersection(ends) };
         (!span.is_empty()).then_some(span)
     }

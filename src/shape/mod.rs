@@ -174,6 +174,11 @@ pub trait Shape: Debug + Send + Sync {
         PartTexture::Object
     }
 
+    /// Center and radius, if the surface is a sphere.
+    fn sphere(&self) -> Option<(Vec3, f64)> {
+        None
+    }
+
     /// The shape's name in the scene language.
     fn kind(&self) -> &'static str;
 

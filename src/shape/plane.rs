@@ -58,7 +58,8 @@ impl Shape for Plane {
     }
 
     fn contains(&self, p: Vec3) -> bool {
-        self.height(p) <= COINCIDENT * self.scale(p)
+        let height = self.height(p);
+        height <= 0.0 || height <= COINCIDENT * self.scale(p)
     }
 
     fn inverse(&self) -> Option<Arc<dyn Shape>> {

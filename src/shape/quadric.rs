@@ -58,32 +58,34 @@ impl Quadric {
         self.squares.dot(d * d) + self.products.dot(Vec3::new(d.x * d.y, d.x * d.z, d.y * d.z))
     }
 
-    /// Both crossings of the line in order; infinite where there is only one.
+    /// The line's crossings in order, before refinement; infinite where there is only one.
     fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let shift = -ray.origin.dot(ray.dir);
         let p = ray.at(shift);
         let (a, half_b, c) = (self.curvature(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p));
-        let (s0, s1) = if a == 0.0 {
-            if half_b == 0.0 {
-                return None;
-            }
-            (-0.5 * c / half_b, f64::INFINITY)
-        } else {
-            let discriminant = half_b * half_b - a * c;
-            if discriminant.is_nan() || discriminant <= 0.0 {
-                return None;
-            }
-            let q = -(half_b + discriminant.sqrt().copysign(half_b));
-            (q / a, if q == 0.0 { 0.0 } else { c / q })
-        };
-        let refined = |s: f64| {
-            let at = ray.at(shift + s);
-            let step = self.value(at) / self.gradient(at).dot(ray.dir);
-            let t = shift + s - step;
-            if t.is_finite() { t } else { shift + s }
-        };
-        let (t0, t1) = (refined(s0), refined(s1));
-        Some([t0.min(t1), t0.max(t1)])
+        if a == 0.0 {
+            return (half_b != 0.0).then(|| [shift - 0.5 * c / half_b, f64::INFINITY]);
+        }
+        let discriminant = half_b * half_b - a * c;
+        if discriminant.is_nan() || discriminant <= 0.0 {
+            return None;
+        }
+        let q = -(half_b + discriminant.sqrt().copysign(half_b));
+        let (s0, s1) = (q / a, if q == 0.0 { 0.0 } else { c / q });
+        Some([shift + s0.min(s1), shift + s0.max(s1)])
+    }
+
+    /// Root `t` refined once on the surface, if it lies in `range` then.
+    fn refined(&self, ray: &Ray, t: f64, range: Range) -> Option<f64> {
+        // Refinement moves no root that far.
+        let slack = 1e-4 * (t.abs() + ray.origin.abs().max_element());
+        if !Range::new(range.min - slack, range.max + slack).contains(t) {
+            return None;
+        }
+        let at = ray.at(t);
+        let better = t - self.value(at) / self.gradient(at).dot(ray.dir);
+        let t = if better.is_finite() { better } else { t };
+        range.contains(t).then_some(t)
     }
 
     /// The bounds of an ellipsoid or, along the axes, of a cylinder; infinite for everything else.
@@ -155,15 +157,22 @@ impl Shape for Quadric {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         let Some(roots) = self.roots(ray) else { return };
-        out.extend(roots.into_iter().filter(|&t| range.contains(t)).map(Crossing::new));
+        let first = out.len();
+        out.extend(roots.into_iter().filter_map(|t| self.refined(ray, t, range)).map(Crossing::new));
+        if let [a, b] = &mut out[first..]
+            && a.t > b.t
+        {
+            std::mem::swap(a, b);
+        }
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.roots(ray)?.into_iter().find(|&t| range.contains(t)).map(Crossing::new)
+        self.roots(ray)?.into_iter().find_map(|t| self.refined(ray, t, range)).map(Crossing::new)
     }
 
     fn contains(&self, p: Vec3) -> bool {
-        self.value(p) <= COINCIDENT * self.magnitude(p)
+        let value = self.value(p);
+        value <= 0.0 || value <= COINCIDENT * self.magnitude(p)
     }
 
     fn inverse(&self) -> Option<Arc<dyn Shape>> {

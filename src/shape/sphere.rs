@@ -84,6 +84,10 @@ impl Shape for Sphere {
         Some(Vec2::new(turn_about_y(q), 0.5 + q.y.clamp(-1.0, 1.0).asin() / PI))
     }
 
+    fn sphere(&self) -> Option<(Vec3, f64)> {
+        Some((self.center, self.radius.abs()))
+    }
+
     fn kind(&self) -> &'static str {
         "sphere"
     }

@@ -69,13 +69,9 @@ pub(super) fn stacks<'w, 'i>(
         let (point, to_world) = (place(&l.texture_to_local), frame(&l.texture_to_world));
         match &*l.texture {
             Texture::Layers(layers) => {
-                stack.extend(layers.iter().rev().map(|layer| Placed {
-                    layer,
-                    point,
-                    to_world,
-                    sample: None,
-                    asks_hit,
-                }));
+                for layer in layers.iter().rev() {
+                    stack.push(Placed { layer, point, to_world, sample: None, asks_hit });
+                }
             }
             // Nothing can be layered with a patterned texture.
             Texture::Patterned(_) => {

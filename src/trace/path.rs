@@ -8,8 +8,13 @@ use smallvec::SmallVec;
 /// The interiors that a ray is inside of, in order of entering.
 pub(super) type Interiors = SmallVec<[InteriorId; 4]>;
 
+/// A copy, at once instead of one by one.
+pub(super) fn copied(inside: &Interiors) -> Interiors {
+    SmallVec::from_slice(inside)
+}
+
 /// The history of a ray.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Path {
     /// Hits before this ray that count for `max_trace_level`.
     pub level: u32,
@@ -19,6 +24,12 @@ pub(super) struct Path {
     /// Wavelength in nanometres, once dispersion has split the ray.
     pub wavelength: Option<f64>,
     pub inside: Interiors,
+}
+
+impl Clone for Path {
+    fn clone(&self) -> Self {
+        Self { inside: copied(&self.inside), ..*self }
+    }
 }
 
 /// Colour brought back by a ray.

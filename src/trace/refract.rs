@@ -4,7 +4,7 @@
 //! that it is in leaves it. Relative index `r = n_from / n_to`; with `c` the cosine of the incoming ray and
 //! `k = 1 + r^2 (c^2 - 1)` the new direction is `r v + (r c - sqrt k) n`, and all is reflected for k < 0.
 
-use super::path::Interiors;
+use super::path::{Interiors, copied};
 use super::spectrum;
 use crate::color::Rgb;
 use crate::material::Interior;
@@ -33,7 +33,7 @@ impl Passage {
     pub fn new(world: &World, before: &Interiors, x: InteriorId) -> Self {
         let own = world.interior(x);
         let (index, spread) = optics(own);
-        let mut inside = before.clone();
+        let mut inside = copied(before);
         let place = before.iter().position(|&i| i == x);
         match place {
             Some(i) => {

@@ -3,7 +3,7 @@
 
 use super::direct::Look;
 use super::layers::{self, Placed};
-use super::path::{Departure, Interiors, Path, Radiance};
+use super::path::{Departure, Interiors, Path, Radiance, copied};
 use super::photon::Nearby;
 use super::radiosity::Query;
 use super::refract::{self, Passage};
@@ -387,7 +387,7 @@ impl<'w> Tracer<'w> {
         match refract::bent(site.ray.dir, stack.normal, ratio) {
             Some(direction) => {
                 self.counters.refracted_rays += 1;
-                let child = Path { inside: passage.inside.clone(), ..child };
+                let child = Path { inside: copied(&passage.inside), ..child };
                 (self.trace(site.departure.ray(direction), child), false)
             }
             None => {

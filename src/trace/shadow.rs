@@ -1,7 +1,7 @@
 //! How much of a light reaches a point: surfaces on the way filter it, opaque ones stop it.
 
 use super::layers::{self, Placed};
-use super::path::{Departure, Interiors, Path};
+use super::path::{Departure, Interiors, Path, copied};
 use super::photon::Kinds;
 use super::refract;
 use super::shade::Site;
@@ -10,7 +10,7 @@ use crate::color::Rgb;
 use crate::light::{Arrival, Light, is_dark};
 use crate::math::{EPSILON, Range, Ray};
 use crate::pattern::Context;
-use crate::world::{Hit, RayClass, WorldLight};
+use crate::world::{Hit, Obstacle, RayClass, Surface, WorldLight};
 use smallvec::SmallVec;
 
 /// Surfaces that a shadow ray passes before it is given up.
@@ -18,6 +18,26 @@ const MAX_PASSED: u32 = 1 << 16;
 
 /// Exponent of the highlight that stands for focused light, for `caustics 1`.
 const FOCUS: f64 = 45.0;
+
+/// What is left of the way to a lamp.
+struct Stretch {
+    ray: Ray,
+    /// To the lamp.
+    distance: f64,
+    /// Where blockers stop counting.
+    end: f64,
+}
+
+impl Stretch {
+    /// The way on from a surface that was passed.
+    fn behind(&self, hit: &Hit) -> Stretch {
+        Stretch {
+            ray: Departure::from_hit(hit).ray(self.ray.dir),
+            distance: self.distance - hit.t,
+            end: self.end - hit.t,
+        }
+    }
+}
 
 impl Tracer<'_> {
     /// The light's colour at a point after shadows.
@@ -67,40 +87,37 @@ impl Tracer<'_> {
         }
         let dims = light.media_attenuation && light.media_interaction && self.needs.atmosphere;
         let last = &mut self.blockers[source.number as usize];
-        if end > 0.0 && self.world.blocked(ray, Range::new(0.0, end), last) {
-            return Rgb::ZERO;
+        let obstacle =
+            if end > 0.0 { self.world.obstacle(ray, Range::new(0.0, end), last) } else { Obstacle::None };
+        match obstacle {
+            Obstacle::Opaque => Rgb::ZERO,
+            Obstacle::None if dims => color * self.dimmed(ray, distance, inside),
+            Obstacle::None => color,
+            Obstacle::Filter(hit) => {
+                let stretch = Stretch { ray: *ray, distance, end };
+                self.filtered(stretch, hit, inside, (dims, light), color)
+            }
         }
-        if self.world.all_opaque() || end <= 0.0 {
-            return if dims { color * self.dimmed(ray, distance, inside) } else { color };
-        }
-        self.filtered((*ray, distance, end), inside, (dims, light), color)
     }
 
-    /// Follows a ray that no opaque object stops from surface to surface.
+    /// Follows a ray that no opaque object stops from surface to surface; `hit` is the first.
     fn filtered(
         &mut self,
-        (mut ray, mut distance, mut end): (Ray, f64, f64),
+        mut to_lamp: Stretch,
+        mut hit: Hit,
         inside: &Interiors,
         (dims, light): (bool, &Light),
         mut color: Rgb,
     ) -> Rgb {
-        let mut inside = inside.clone();
+        let mut inside = copied(inside);
         for _ in 0..MAX_PASSED {
-            let hit = if end > 0.0 {
-                self.world.nearest(&ray, Range::new(0.0, end), RayClass::Shadow)
-            } else {
-                None
-            };
-            let Some(hit) = hit else {
-                return if dims { color * self.dimmed(&ray, distance, &inside) } else { color };
-            };
             if dims {
-                color *= self.dimmed(&ray, hit.t, &inside);
+                color *= self.dimmed(&to_lamp.ray, hit.t, &inside);
             }
             if self.collects && self.bends_photons(&hit, light) {
                 return Rgb::ZERO;
             }
-            color *= self.surface_filter(&ray, &hit, &inside);
+            color *= self.surface_filter(&to_lamp.ray, &hit, &inside);
             if is_dark(color) {
                 return Rgb::ZERO;
             }
@@ -112,9 +129,18 @@ impl Tracer<'_> {
                     None => inside.push(hit.interior),
                 }
             }
-            ray = Departure::from_hit(&hit).ray(ray.dir);
-            distance -= hit.t;
-            end -= hit.t;
+            to_lamp = to_lamp.behind(&hit);
+            let next = (to_lamp.end > 0.0)
+                .then(|| {
+                    let range = Range::new(0.0, to_lamp.end);
+                    self.world.nearest(&to_lamp.ray, range, RayClass::Filtered)
+                })
+                .flatten();
+            match next {
+                Some(next) => hit = next,
+                None if dims => return color * self.dimmed(&to_lamp.ray, to_lamp.distance, &inside),
+                None => return color,
+            }
         }
         Rgb::ZERO
     }
@@ -157,11 +183,16 @@ impl Tracer<'_> {
     /// What the textures leave of light that passes them, with the brightening of `caustics`.
     fn texture_filter(&self, ray: &Ray, hit: &Hit, inside: &Interiors) -> Rgb {
         let caustics = if self.needs.caustics { self.world.interior(hit.interior).caustics } else { 0.0 };
-        let path =
-            Path { level: 0, weight: 1.0, class: RayClass::Shadow, wavelength: None, inside: inside.clone() };
-        let site = Site::new(ray, hit, &path);
         let mut surfaces = SmallVec::new();
-        self.world.surfaces(hit, site.is_back(), &mut surfaces);
+        self.world.surfaces(hit, hit.normal.dot(ray.dir) > 0.0, &mut surfaces);
+        if let [(share, Surface { filter: Some(filter), .. })] = &surfaces[..]
+            && caustics == 0.0
+        {
+            return share * filter;
+        }
+        let path =
+            Path { level: 0, weight: 1.0, class: RayClass::Shadow, wavelength: None, inside: copied(inside) };
+        let site = Site::new(ray, hit, &path);
         let mut sum = Rgb::ZERO;
         for &(share, surface) in &surfaces {
             let incidence = || site.incidence(self.world);

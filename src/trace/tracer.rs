@@ -1,5 +1,5 @@
 use super::media::Medium;
-use super::path::{Interiors, Path, Radiance, Veil};
+use super::path::{Interiors, Path, Radiance, Veil, copied};
 use super::photon::{Nearby, Photons};
 use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
@@ -248,7 +248,7 @@ impl<'w> Tracer<'w> {
         if !self.world.scene.camera.has_fixed_origin() {
             return self.world.interiors_at(ray.origin);
         }
-        self.camera_inside.get_or_insert_with(|| self.world.interiors_at(ray.origin)).clone()
+        copied(self.camera_inside.get_or_insert_with(|| self.world.interiors_at(ray.origin)))
     }
 
     pub fn counters(&self) -> Counters {

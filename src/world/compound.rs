@@ -3,11 +3,16 @@
 //! A crossing of one child is kept or dropped by what the others say about its point. A point that lies
 //! on another child's surface counts as inside it (closed sets): the other child's crossing of the same ray
 //! at the same distance tells, so no test of "how close is close" is asked of the shapes.
+//!
+//! Boxes save most questions: one around each child's surface, which a ray must meet to cross it, and one
+//! outside of which the child's answer to "do you contain this point" is known.
 
 use super::geometry::{Found, Geometry, Solid};
-use super::scratch::with_found;
+use super::probe::{Probe, Reach};
+use super::scratch::Lists;
 use crate::math::bvh::Bvh;
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
+use smallvec::SmallVec;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Op {
@@ -16,34 +21,89 @@ pub(super) enum Op {
     Intersection,
 }
 
+/// Where a solid can be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    /// Around all its surfaces.
+    pub surface: Aabb,
+    /// Outside of this box `outside` is the answer to whether it contains a point.
+    pub hull: Aabb,
+    pub outside: bool,
+}
+
+impl Extent {
+    /// Combines the extents of children.
+    pub fn combined(op: Op, children: &[Child]) -> Extent {
+        let surface = children.iter().fold(Aabb::EMPTY, |a, c| a.union(c.extent.surface));
+        // One child with this answer decides for all.
+        let decisive = op != Op::Intersection;
+        let mut hulls = children.iter().filter(|c| c.extent.outside == decisive).map(|c| c.extent.hull);
+        let Some(first) = hulls.next() else {
+            let hull = children.iter().fold(Aabb::EMPTY, |a, c| a.union(c.extent.hull));
+            return Extent { surface, hull, outside: !decisive };
+        };
+        let hull = hulls.fold(first, Aabb::intersection);
+        let surface = if decisive { surface } else { surface.intersection(hull) };
+        Extent { surface, hull, outside: decisive }
+    }
+
+    /// The part that lies in all clips.
+    pub fn clipped(self, clips: &[Child]) -> Extent {
+        let whole = Child { solid: Solid::Leaf(0), reach: Reach::new(&self.surface), extent: self };
+        let all: Vec<Child> = std::iter::once(whole).chain(clips.iter().copied()).collect();
+        let both = Self::combined(Op::Intersection, &all);
+        Extent { surface: self.surface.intersection(both.surface), ..both }
+    }
+}
+
+/// A solid in a combination.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Child {
+    pub solid: Solid,
+    /// A ray that misses this box crosses none of the child's surfaces.
+    pub reach: Reach,
+    pub extent: Extent,
+}
+
+impl Child {
+    fn contains(&self, geometry: &Geometry, p: Vec3) -> bool {
+        if self.extent.hull.contains(p) { geometry.contains(self.solid, p) } else { self.extent.outside }
+    }
+}
+
 /// Children combined; inversion has been worked into the leaves.
 #[derive(Debug)]
 pub(super) struct Compound {
     pub op: Op,
-    pub children: Vec<Solid>,
-    pub child_bounds: Vec<Aabb>,
+    pub children: Vec<Child>,
     /// Over the children's bounds, when there are many and all are finite.
     pub tree: Option<Bvh>,
     /// Only what all of these contain is kept.
-    pub clips: Vec<Solid>,
+    pub clips: Vec<Child>,
     /// A ray that misses one of these, and does not start in it, misses everything.
     pub gates: Vec<Solid>,
 }
 
-/// A crossing and the child that it belongs to.
-type Tagged = (Found, usize);
+/// All crossings of the children of an intersection along one ray: a stretch of the list of
+/// crossings, and whose each is.
+struct Candidates {
+    first: usize,
+    owners: SmallVec<[u32; 16]>,
+    /// What each child says of the whole range, for children that the ray does not cross there.
+    constant: SmallVec<[Constant; 16]>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Constant {
+    Crossed,
+    Unknown,
+    Inside,
+}
 
 impl Compound {
     /// An empty union.
     pub fn nothing() -> Self {
-        Self {
-            op: Op::Union,
-            children: Vec::new(),
-            child_bounds: Vec::new(),
-            tree: None,
-            clips: Vec::new(),
-            gates: Vec::new(),
-        }
+        Self { op: Op::Union, children: Vec::new(), tree: None, clips: Vec::new(), gates: Vec::new() }
     }
 
     /// Whether the ray meets or starts in all gates.
@@ -51,47 +111,243 @@ impl Compound {
         self.gates.iter().all(|&g| geometry.contains(g, ray.origin) || geometry.meets(g, ray, Range::FORWARD))
     }
 
-    pub fn nearest(&self, geometry: &Geometry, ray: &Ray, range: Range) -> Option<Found> {
-        with_found(|list| {
-            self.crossings(geometry, ray, range, list);
-            list.iter().copied().reduce(|best, f| if f.t <= best.t { f } else { best })
-        })
+    /// The nearest crossing inside `range`; of equal ones that of the last child.
+    pub fn nearest(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<Found> {
+        if !self.gates.is_empty() && !self.opens(geometry, probe.ray) {
+            return None;
+        }
+        match self.op {
+            Op::Union if self.clips.is_empty() => {
+                self.nearest_of_union(geometry, probe, range, lists).map(|(found, _)| found)
+            }
+            Op::Union => self.nearest_clipped(geometry, probe, range, lists),
+            Op::Merge => self.nearest_of_merge(geometry, probe, range, lists),
+            Op::Intersection => {
+                let candidates = self.candidates(geometry, probe, range, lists)?;
+                let nearest = self.nearest_kept(geometry, probe.ray, range, candidates, lists);
+                lists.found.truncate(nearest.1);
+                nearest.0
+            }
+        }
     }
 
-    pub fn crossings(&self, geometry: &Geometry, ray: &Ray, range: Range, out: &mut Vec<Found>) {
-        if !self.opens(geometry, ray) {
+    /// The nearest crossing of any child, and whose it is.
+    fn nearest_of_union(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<(Found, usize)> {
+        let mut best: Option<(Found, usize)> = None;
+        let mut visit = |i: usize, max: f64| {
+            let limit = if best.is_some_and(|(_, b)| i > b) { max.next_up() } else { max };
+            let within = Range::new(range.min, limit);
+            match geometry.nearest_with(self.children[i].solid, probe, within, lists) {
+                Some(found) => {
+                    best = Some((found, i));
+                    found.t.min(max)
+                }
+                None => max,
+            }
+        };
+        if let Some(tree) = &self.tree {
+            tree.traverse(probe.ray, range, |i, max| visit(i as usize, max));
+        } else {
+            let mut max = range.max;
+            for (i, child) in self.children.iter().enumerate() {
+                if probe.meets(&child.reach, Range::new(range.min, max)) {
+                    max = visit(i, max);
+                }
+            }
+        }
+        best
+    }
+
+    /// The nearest crossing of a child that lies in no other child: mostly the very nearest one.
+    fn nearest_of_merge(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<Found> {
+        let (found, child) = self.nearest_of_union(geometry, probe, range, lists)?;
+        let stays = |f: &Found| self.is_unclipped(geometry, probe.ray.at(f.t));
+        if self.is_outermost(geometry, probe, &found, child, lists) && stays(&found) {
+            return Some(found);
+        }
+        let first = lists.found.len();
+        self.crossings_of_merge(geometry, probe, range, lists);
+        let kept = lists.found[first..].iter().copied().filter(stays);
+        let nearest = kept.reduce(|best, f| if f.t <= best.t { f } else { best });
+        lists.found.truncate(first);
+        nearest
+    }
+
+    /// Whether a merge keeps the crossing of one child.
+    fn is_outermost(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        found: &Found,
+        child: usize,
+        lists: &mut Lists,
+    ) -> bool {
+        let p = probe.ray.at(found.t);
+        let tolerance = tie_tolerance(probe.ray, found.t);
+        let about = Range::new((found.t - tolerance).next_down(), (found.t + tolerance).next_up());
+        let mut swallows = |o: usize| {
+            let other = &self.children[o];
+            if o == child || !other.extent.hull.contains(p) {
+                return o != child && other.extent.outside;
+            }
+            match geometry.nearest_with(other.solid, probe, about, lists) {
+                Some(tied) => child < o || !same_side(geometry, probe.ray, found, &tied),
+                None => geometry.contains(other.solid, p),
+            }
+        };
+        match &self.tree {
+            Some(tree) => !tree.any_at(p, |o| swallows(o as usize)),
+            None => !(0..self.children.len()).any(swallows),
+        }
+    }
+
+    fn nearest_clipped(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<Found> {
+        let first = lists.found.len();
+        self.each_child(probe, range, |i| {
+            geometry.crossings(self.children[i].solid, probe, range, lists);
+        });
+        let mut best: Option<Found> = None;
+        for found in &lists.found[first..] {
+            if best.is_none_or(|b| found.t <= b.t) && self.is_unclipped(geometry, probe.ray.at(found.t)) {
+                best = Some(*found);
+            }
+        }
+        lists.found.truncate(first);
+        best
+    }
+
+    /// The first candidate that the other children let stand, and where the candidates began.
+    fn nearest_kept(
+        &self,
+        geometry: &Geometry,
+        ray: &Ray,
+        range: Range,
+        mut candidates: Candidates,
+        lists: &mut Lists,
+    ) -> (Option<Found>, usize) {
+        let first = candidates.first;
+        let found = &lists.found[first..];
+        // By distance; of equal ones the last first.
+        let mut order: SmallVec<[u32; 16]> = SmallVec::new();
+        for (i, f) in found.iter().enumerate() {
+            let place = order.iter().rposition(|&o| found[o as usize].t < f.t).map_or(0, |p| p + 1);
+            order.insert(place, i as u32);
+        }
+        let kept = order.into_iter().map(|i| i as usize).find(|&i| {
+            self.keeps(geometry, ray, range, i, &mut candidates, lists)
+                && self.is_unclipped(geometry, ray.at(lists.found[first + i].t))
+        });
+        (kept.map(|i| lists.found[first + i]), first)
+    }
+
+    /// Appends every crossing inside `range`, children in order.
+    pub fn crossings(&self, geometry: &Geometry, probe: &Probe, range: Range, lists: &mut Lists) {
+        if !self.gates.is_empty() && !self.opens(geometry, probe.ray) {
             return;
         }
-        let first = out.len();
+        let first = lists.found.len();
         match self.op {
-            Op::Union => self.each_child(ray, range, |i| {
-                geometry.crossings(self.children[i], ray, range, out);
+            Op::Union => self.each_child(probe, range, |i| {
+                geometry.crossings(self.children[i].solid, probe, range, lists);
             }),
-            Op::Merge | Op::Intersection => self.combined(geometry, ray, range, out),
+            Op::Merge => self.crossings_of_merge(geometry, probe, range, lists),
+            Op::Intersection => {
+                let Some(mut candidates) = self.candidates(geometry, probe, range, lists) else { return };
+                let count = candidates.owners.len();
+                let keeps: SmallVec<[bool; 16]> = (0..count)
+                    .map(|i| self.keeps(geometry, probe.ray, range, i, &mut candidates, lists))
+                    .collect();
+                let mut keeps = keeps.iter();
+                retain_from(&mut lists.found, first, |_| *keeps.next().unwrap_or(&true));
+            }
         }
         if !self.clips.is_empty() {
-            self.clip(geometry, ray, first, out);
+            retain_from(&mut lists.found, first, |f| self.is_unclipped(geometry, probe.ray.at(f.t)));
         }
+    }
+
+    fn crossings_of_merge(&self, geometry: &Geometry, probe: &Probe, range: Range, lists: &mut Lists) {
+        let first = lists.found.len();
+        let mut owners: SmallVec<[u32; 16]> = SmallVec::new();
+        self.each_child(probe, range, |i| {
+            geometry.crossings(self.children[i].solid, probe, range, lists);
+            (first + owners.len()..lists.found.len()).for_each(|_| owners.push(i as u32));
+        });
+        let mut kept = first;
+        for (i, &owner) in owners.iter().enumerate() {
+            let found = lists.found[first + i];
+            if self.is_outermost(geometry, probe, &found, owner as usize, lists) {
+                lists.found[kept] = found;
+                kept += 1;
+            }
+        }
+        lists.found.truncate(kept);
     }
 
     pub fn contains(&self, geometry: &Geometry, p: Vec3) -> bool {
-        if !self.clips.iter().all(|&c| geometry.contains(c, p)) {
+        if !self.is_unclipped(geometry, p) {
             return false;
         }
         match self.op {
-            Op::Intersection => self.children.iter().all(|&c| geometry.contains(c, p)),
+            Op::Intersection => self.children.iter().all(|c| c.contains(geometry, p)),
             Op::Union | Op::Merge => match &self.tree {
-                Some(tree) => tree.any_at(p, |i| geometry.contains(self.children[i as usize], p)),
-                None => self.children.iter().any(|&c| geometry.contains(c, p)),
+                Some(tree) => tree.any_at(p, |i| geometry.contains(self.children[i as usize].solid, p)),
+                None => self.children.iter().any(|c| c.contains(geometry, p)),
             },
         }
     }
 
-    /// The children whose bounds the ray meets, in order.
-    fn each_child(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize)) {
+    /// Takes in what `child` is made of, where the crossings stay the same; else `child` itself.
+    pub fn absorb(&mut self, geometry: &Geometry, child: Child) {
+        let Solid::Compound(i) = child.solid else { return self.children.push(child) };
+        let inner = &geometry.compounds[i as usize];
+        let alike = inner.op == self.op || inner.children.len() == 1;
+        let fits = match self.op {
+            Op::Union => alike && inner.clips.is_empty(),
+            Op::Intersection => alike,
+            Op::Merge => false,
+        };
+        if fits && inner.gates.is_empty() {
+            self.children.extend_from_slice(&inner.children);
+            self.clips.extend_from_slice(&inner.clips);
+        } else {
+            self.children.push(child);
+        }
+    }
+
+    fn is_unclipped(&self, geometry: &Geometry, p: Vec3) -> bool {
+        self.clips.iter().all(|c| c.contains(geometry, p))
+    }
+
+    /// The children whose surfaces the ray may meet, in order.
+    fn each_child(&self, probe: &Probe, range: Range, mut visit: impl FnMut(usize)) {
         if let Some(tree) = &self.tree {
-            let mut met: smallvec::SmallVec<[u32; 32]> = smallvec::SmallVec::new();
-            tree.traverse(ray, range, |i, max| {
+            let mut met: SmallVec<[u32; 32]> = SmallVec::new();
+            tree.traverse(probe.ray, range, |i, max| {
                 met.push(i);
                 max
             });
@@ -99,67 +355,92 @@ impl Compound {
             met.into_iter().for_each(|i| visit(i as usize));
             return;
         }
-        for (i, bounds) in self.child_bounds.iter().enumerate() {
-            if meets(bounds, ray, range) {
+        for (i, child) in self.children.iter().enumerate() {
+            if probe.meets(&child.reach, range) {
                 visit(i);
             }
         }
     }
 
-    /// Merge and intersection: all children's crossings, then those that the other children let stand.
-    fn combined(&self, geometry: &Geometry, ray: &Ray, range: Range, out: &mut Vec<Found>) {
-        let mut tagged: smallvec::SmallVec<[Tagged; 16]> = smallvec::SmallVec::new();
-        with_found(|list| {
-            self.each_child(ray, range, |i| {
-                list.clear();
-                geometry.crossings(self.children[i], ray, range, list);
-                tagged.extend(list.iter().map(|&f| (f, i)));
-            });
-        });
-        for (found, child) in &tagged {
-            if self.keeps(geometry, ray, found, *child, &tagged) {
-                out.push(*found);
+    /// All children's crossings, appended to the list. `None` (and nothing appended) if the ray plainly stays
+    /// outside an intersection.
+    fn candidates(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<Candidates> {
+        let first = lists.found.len();
+        let mut owners = SmallVec::new();
+        let mut constant = SmallVec::new();
+        if !self.clips.iter().all(|c| c.extent.outside || probe.meets(&c.reach, range)) {
+            return None;
+        }
+        for (i, child) in self.children.iter().enumerate() {
+            let before = lists.found.len();
+            if probe.meets(&child.reach, range) {
+                geometry.crossings(child.solid, probe, range, lists);
+            }
+            if lists.found.len() > before {
+                (before..lists.found.len()).for_each(|_| owners.push(i as u32));
+                constant.push(Constant::Crossed);
+            } else if child.contains(geometry, probe.start(range)) {
+                constant.push(Constant::Unknown);
+            } else {
+                // Outside at the start, and never in.
+                lists.found.truncate(first);
+                return None;
             }
         }
+        (!owners.is_empty()).then_some(Candidates { first, owners, constant })
     }
 
-    fn keeps(&self, geometry: &Geometry, ray: &Ray, found: &Found, child: usize, all: &[Tagged]) -> bool {
+    /// Whether the other children let candidate number `i` stand.
+    fn keeps(
+        &self,
+        geometry: &Geometry,
+        ray: &Ray,
+        range: Range,
+        i: usize,
+        candidates: &mut Candidates,
+        lists: &Lists,
+    ) -> bool {
+        let Candidates { first, owners, constant } = candidates;
+        let all = &lists.found[*first..*first + owners.len()];
+        let (found, child) = (&all[i], owners[i] as usize);
         let p = ray.at(found.t);
         let tolerance = tie_tolerance(ray, found.t);
         let tied = |other: usize| {
-            all.iter().find(|(f, c)| *c == other && (f.t - found.t).abs() <= tolerance).map(|(f, _)| *f)
+            let same = |(f, &c): (&Found, &u32)| c as usize == other && (f.t - found.t).abs() <= tolerance;
+            all.iter().zip(owners.iter()).any(same)
         };
-        let others = || (0..self.children.len()).filter(|&o| o != child);
-        match self.op {
-            Op::Intersection => others().all(|o| geometry.contains(self.children[o], p) || tied(o).is_some()),
-            Op::Merge if self.tree.is_none() => others().all(|o| match tied(o) {
-                Some(f) => child > o && same_side(geometry, ray, found, &f),
-                None => !geometry.contains(self.children[o], p),
-            }),
-            Op::Merge | Op::Union => {
-                let tree_says = |o: usize| match tied(o) {
-                    Some(f) => child < o || !same_side(geometry, ray, found, &f),
-                    None => geometry.contains(self.children[o], p),
-                };
-                match &self.tree {
-                    Some(tree) => !tree.any_at(p, |o| o as usize != child && tree_says(o as usize)),
-                    None => true,
+        let holds = |o: usize| self.children[o].contains(geometry, p);
+        let clear = found.t - range.min > tolerance && range.max - found.t > tolerance;
+        (0..self.children.len()).filter(|&o| o != child).all(|o| match constant[o] {
+            Constant::Inside => true,
+            Constant::Crossed => holds(o) || tied(o),
+            Constant::Unknown => {
+                let inside = holds(o);
+                if inside && clear {
+                    constant[o] = Constant::Inside;
                 }
+                inside
             }
-        }
+        })
     }
+}
 
-    fn clip(&self, geometry: &Geometry, ray: &Ray, first: usize, out: &mut Vec<Found>) {
-        let mut kept = first;
-        for i in first..out.len() {
-            let p = ray.at(out[i].t);
-            if self.clips.iter().all(|&c| geometry.contains(c, p)) {
-                out[kept] = out[i];
-                kept += 1;
-            }
+/// Keeps what `keep` says of the list from place `first` on.
+fn retain_from(list: &mut Vec<Found>, first: usize, mut keep: impl FnMut(&Found) -> bool) {
+    let mut kept = first;
+    for i in first..list.len() {
+        if keep(&list[i]) {
+            list[kept] = list[i];
+            kept += 1;
         }
-        out.truncate(kept);
     }
+    list.truncate(kept);
 }
 
 /// Distances this close are the same point: a few roundings of everything that went into them.
@@ -170,23 +451,4 @@ fn tie_tolerance(ray: &Ray, t: f64) -> f64 {
 /// Whether two crossings at one point face the same way.
 fn same_side(geometry: &Geometry, ray: &Ray, a: &Found, b: &Found) -> bool {
     geometry.locate(ray, a).normal.dot(geometry.locate(ray, b).normal) > 0.0
-}
-
-/// Whether a ray may meet a box; true when in doubt.
-pub(super) fn meets(b: &Aabb, ray: &Ray, range: Range) -> bool {
-    let (mut near, mut far) = (range.min, range.max);
-    for axis in 0..3 {
-        let (o, d) = (ray.origin[axis], ray.dir[axis]);
-        if d == 0.0 {
-            if o < b.min[axis] || o > b.max[axis] {
-                return false;
-            }
-            continue;
-        }
-        let (u, v) = ((b.min[axis] - o) / d, (b.max[axis] - o) / d);
-        near = near.max(u.min(v));
-        far = far.min(u.max(v));
-    }
-    let slack = 8.0 * EPSILON * (near.abs().max(far.abs()) + ray.origin.abs().max_element());
-    near <= far + slack
 }

@@ -4,13 +4,15 @@
 //! pushed down to the leaves (an inverted union is an intersection of inverted children); top-level unions
 //! are taken apart.
 
-use super::compound::{Compound, Op};
+use super::compound::{Child, Compound, Extent, Op};
 use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
 use super::hit::{InteriorId, PhotonRules, PhotonTarget, RayClass, Shading, Surface, SurfaceLayer};
+use super::placement::Placement;
+use super::probe::Reach;
 use super::{Inside, WorldLight};
 use crate::material::{Attached, Texture};
 use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, Transform};
+use crate::math::{Aabb, Transform, Vec3};
 use crate::scene::{Body, CsgOp, Flags, LightSource, Object};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -85,6 +87,32 @@ impl Inherited {
     }
 }
 
+/// A solid in the geometry.
+struct Built {
+    solid: Solid,
+    /// Of what rays may see of it.
+    bounds: Aabb,
+    extent: Extent,
+}
+
+impl Built {
+    fn child(self) -> Child {
+        let reach = Reach::new(&self.bounds.intersection(self.extent.surface));
+        Child { solid: self.solid, reach, extent: self.extent }
+    }
+
+    /// The same as something that only keeps what it contains.
+    fn clip(self) -> Child {
+        Child { solid: self.solid, reach: Reach::new(&self.extent.hull), extent: self.extent }
+    }
+}
+
+/// Room for points that count as inside although rounding put them just outside.
+fn slightly_grown(b: Aabb) -> Aabb {
+    let size = |v: Vec3| v.map(|c| if c.is_finite() { c.abs() } else { 0.0 }).max_element();
+    b.grown(1e-9 * (size(b.min) + size(b.max)))
+}
+
 impl Flattened {
     pub fn new(objects: &[Arc<Object>]) -> Self {
         let mut flat = Flattened::default();
@@ -98,8 +126,8 @@ impl Flattened {
     /// One object alone, for questions asked while the text is read.
     pub fn of_one(object: &Object) -> (Self, Solid, Aabb) {
         let mut flat = Flattened::default();
-        let (solid, bounds) =
-            flat.solid(object, &Inherited::top()).unwrap_or_else(|| (flat.nothing(), Aabb::EMPTY));
+        let built = flat.solid(object, &Inherited::top());
+        let (solid, bounds) = built.map_or_else(|| (flat.nothing(), Aabb::EMPTY), |b| (b.solid, b.bounds));
         (flat, solid, bounds)
     }
 
@@ -128,7 +156,7 @@ impl Flattened {
 
     fn root(&mut self, object: &Object, outer: &Inherited) {
         let first_leaf = self.geometry.leaves.len();
-        let Some((solid, bounds)) = self.solid(object, outer) else { return };
+        let Some(Built { solid, bounds, .. }) = self.solid(object, outer) else { return };
         let flags = merged(&object.flags, &outer.flags);
         let leaves = &self.geometry.leaves[first_leaf..];
         let opaque = leaves.iter().all(|l| self.shadings[l.shading as usize].opaque);
@@ -136,14 +164,14 @@ impl Flattened {
             Solid::Leaf(i) => self.geometry.leaves[i as usize].interior,
             Solid::Compound(_) => leaves.first().map_or(InteriorId(0), |l| l.interior),
         };
-        self.geometry.roots.push(Root { solid, interior, hidden: hidden(&flags), opaque });
+        self.geometry.roots.push(Root { solid, interior, hidden: hidden(&flags, opaque), opaque });
         self.geometry.root_bounds.push(bounds);
     }
 
-    /// A shape or a combination in world space with its bounds; `None` for lights.
-    fn solid(&mut self, object: &Object, outer: &Inherited) -> Option<(Solid, Aabb)> {
+    /// A shape or a combination in world space; `None` for lights.
+    fn solid(&mut self, object: &Object, outer: &Inherited) -> Option<Built> {
         let target = self.targets.len();
-        let (solid, mut bounds) = match &object.body {
+        let Built { solid, mut bounds, extent } = match &object.body {
             Body::Light(source) => {
                 if !outer.in_group {
                     self.light(source, &object.transform.then(&outer.to_world), false);
@@ -153,31 +181,40 @@ impl Flattened {
             Body::Shape(_) => self.leaf(object, outer),
             Body::Csg { op, children } => self.csg(*op, children, object, outer),
         };
-        let clips: Vec<(Solid, Aabb)> =
+        let clips: Vec<Built> =
             object.clipped_by.iter().filter_map(|c| self.solid(c, &region(outer))).collect();
-        for (_, b) in &clips {
-            bounds = bounds.intersection(*b);
+        for clip in &clips {
+            bounds = bounds.intersection(clip.bounds);
         }
-        let gates: Vec<(Solid, Aabb)> =
+        let gates: Vec<Built> =
             object.bounded_by.iter().filter_map(|b| self.solid(b, &region(outer))).collect();
         bounds = shrunk(bounds, object, &gates);
         self.aim_at(target, object, outer, bounds);
         let gates: Vec<Solid> =
-            if keeps_bounds(object) { gates.into_iter().map(|(s, _)| s).collect() } else { Vec::new() };
+            if keeps_bounds(object) { gates.into_iter().map(|g| g.solid).collect() } else { Vec::new() };
         if clips.is_empty() && gates.is_empty() {
-            return Some((solid, bounds));
+            return Some(Built { solid, bounds, extent });
+        }
+        let clips: Vec<Child> = clips.into_iter().map(Built::clip).collect();
+        let clipped = extent.clipped(&clips);
+        if let Solid::Compound(i) = solid
+            && let compound = &mut self.geometry.compounds[i as usize]
+            && compound.clips.is_empty()
+            && compound.gates.is_empty()
+        {
+            (compound.clips, compound.gates) = (clips, gates);
+            return Some(Built { solid, bounds, extent: clipped });
         }
         let wrapper = Compound {
-            children: vec![solid],
-            child_bounds: vec![bounds],
-            clips: clips.into_iter().map(|(s, _)| s).collect(),
+            children: vec![Built { solid, bounds, extent }.child()],
+            clips,
             gates,
             ..Compound::nothing()
         };
-        Some((self.compound(wrapper), bounds))
+        Some(Built { solid: self.compound(wrapper), bounds, extent: clipped })
     }
 
-    fn leaf(&mut self, object: &Object, outer: &Inherited) -> (Solid, Aabb) {
+    fn leaf(&mut self, object: &Object, outer: &Inherited) -> Built {
         let Body::Shape(shape) = &object.body else { unreachable!("leaf of a combination") };
         let inner = self.inherit(object, outer);
         let to_world = inner.to_world;
@@ -216,9 +253,14 @@ impl Flattened {
         } else {
             to_world.bounds(&shape.bounds())
         };
+        let extent = Extent {
+            surface: slightly_grown(to_world.bounds(&shape.bounds())),
+            hull: slightly_grown(to_world.bounds(&shape.inside_bounds())),
+            outside: inverted,
+        };
         self.geometry.leaves.push(Leaf {
             shape,
-            transform: (!to_world.is_identity()).then(|| Box::new(to_world)),
+            place: (!to_world.is_identity()).then(|| Box::new(Placement::new(to_world))),
             surface,
             interior_surface,
             parts,
@@ -227,24 +269,17 @@ impl Flattened {
             interior: inner.interior.unwrap_or(InteriorId(0)),
             inverted,
         });
-        (Solid::Leaf(self.geometry.leaves.len() as u32 - 1), bounds)
+        Built { solid: Solid::Leaf(self.geometry.leaves.len() as u32 - 1), bounds, extent }
     }
 
-    fn csg(
-        &mut self,
-        op: CsgOp,
-        children: &[Arc<Object>],
-        object: &Object,
-        outer: &Inherited,
-    ) -> (Solid, Aabb) {
+    fn csg(&mut self, op: CsgOp, children: &[Arc<Object>], object: &Object, outer: &Inherited) -> Built {
         let mut inner = self.inherit(object, outer);
         inner.in_intersection |= effective(op, inner.inverted) == Op::Intersection;
         let slot = self.reserve();
         if object.flags.cutaway_textures && inner.textures.is_none() {
             inner.cutaway = slot;
         }
-        let mut solids = Vec::with_capacity(children.len());
-        let mut child_bounds = Vec::with_capacity(children.len());
+        let mut built = Vec::with_capacity(children.len());
         let mut first = true;
         for child in children {
             let is_light = matches!(child.body, Body::Light(_));
@@ -253,23 +288,28 @@ impl Flattened {
                 taken.inverted = !taken.inverted;
             }
             first &= is_light;
-            if let Some((solid, bounds)) = self.solid(child, &taken) {
-                solids.push(solid);
-                child_bounds.push(bounds);
-            }
+            built.extend(self.solid(child, &taken));
         }
+        let child_bounds: Vec<Aabb> = built.iter().map(|b| b.bounds).collect();
         let op = effective(op, inner.inverted);
         let bounds = match op {
             Op::Intersection => child_bounds.iter().fold(Aabb::INFINITE, |a, b| a.intersection(*b)),
             Op::Union | Op::Merge => child_bounds.iter().fold(Aabb::EMPTY, |a, b| a.union(*b)),
         };
-        let tree = (solids.len() >= TREE_FROM
+        let tree = (built.len() >= TREE_FROM
             && op != Op::Intersection
             && child_bounds.iter().all(|b| b.is_finite()))
         .then(|| Bvh::build(&child_bounds, Quality::Best));
-        self.geometry.compounds[slot as usize] =
-            Compound { op, children: solids, child_bounds, tree, ..Compound::nothing() };
-        (Solid::Compound(slot), bounds)
+        let children: Vec<Child> = built.into_iter().map(Built::child).collect();
+        let extent = Extent::combined(op, &children);
+        let mut compound = Compound { op, tree, ..Compound::nothing() };
+        if compound.tree.is_some() {
+            compound.children = children;
+        } else {
+            children.into_iter().for_each(|child| compound.absorb(&self.geometry, child));
+        }
+        self.geometry.compounds[slot as usize] = compound;
+        Built { solid: Solid::Compound(slot), bounds, extent }
     }
 
     /// What the children (or the shape) of `object` stand in.
@@ -360,8 +400,8 @@ impl Flattened {
             self.top(&body, &outer);
         }
         let projector = source.projected_through.as_ref().and_then(|o| self.solid(o, &outer));
-        let projected_through = projector.map(|(solid, _)| {
-            self.projectors.push(solid);
+        let projected_through = projector.map(|b| {
+            self.projectors.push(b.solid);
             self.projectors.len() as u32 - 1
         });
         let light =
@@ -400,9 +440,7 @@ impl Flattened {
         if let Some(&number) = self.surface_numbers.get(&key) {
             return number;
         }
-        let opaque = layers.iter().any(|l| l.texture.is_opaque());
-        let asks_hit = layers.iter().any(|l| l.texture.asks_hit());
-        self.surfaces.push(Surface { layers, opaque, asks_hit });
+        self.surfaces.push(Surface::new(layers));
         let number = self.surfaces.len() as u32 - 1;
         self.surface_numbers.insert(key, number);
         number
@@ -447,11 +485,11 @@ fn old_words(textures: &[Attached<Texture>]) -> (Option<f32>, Option<f32>) {
 }
 
 /// The object's box, or that of its `bounded_by` objects where it is smaller.
-fn shrunk(bounds: Aabb, object: &Object, gates: &[(Solid, Aabb)]) -> Aabb {
+fn shrunk(bounds: Aabb, object: &Object, gates: &[Built]) -> Aabb {
     let mut box_of_bounds = Aabb::INFINITE;
-    for (gate, (_, b)) in object.bounded_by.iter().zip(gates) {
+    for (gate, built) in object.bounded_by.iter().zip(gates) {
         if !gate.flags.inverse {
-            box_of_bounds = box_of_bounds.intersection(*b);
+            box_of_bounds = box_of_bounds.intersection(built.bounds);
         }
     }
     let smaller = box_of_bounds.volume() < bounds.volume() || !bounds.is_finite();
@@ -505,11 +543,12 @@ fn merged(own: &Flags, outer: &Flags) -> Flags {
     }
 }
 
-fn hidden(flags: &Flags) -> u8 {
+fn hidden(flags: &Flags, opaque: bool) -> u8 {
     let bit = |on: bool, class: RayClass| if on { class.bit() } else { 0 };
     bit(flags.no_image, RayClass::Image)
         | bit(flags.no_reflection, RayClass::Reflected)
         | bit(flags.no_shadow, RayClass::Shadow)
+        | bit(flags.no_shadow || opaque, RayClass::Filtered)
         | bit(flags.no_radiosity, RayClass::Radiosity)
         | bit(flags.no_image || flags.no_shadow, RayClass::Photon)
         | bit(flags.no_reflection || flags.no_shadow, RayClass::ReflectedPhoton)

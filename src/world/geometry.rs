@@ -1,9 +1,13 @@
 //! Leaves and their combinations, and how rays and points meet them.
 
-use super::compound::{Compound, meets};
-use super::hit::{InteriorId, RayClass};
+use super::ball::Ball;
+use super::compound::Compound;
+use super::hit::{InteriorId, Obstacle, RayClass};
+use super::placement::Placement;
+use super::probe::{Probe, Reach};
+use super::scratch::{Lists, with_lists};
 use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, EPSILON, Range, Ray, Transform, Vec3};
+use crate::math::{Aabb, Range, Ray, Vec3};
 use crate::shape::{Crossing, Shape};
 use std::sync::Arc;
 
@@ -15,7 +19,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct Leaf {
     pub shape: Arc<dyn Shape>,
     /// Takes the shape's space to the world; `None` if they are the same.
-    pub transform: Option<Box<Transform>>,
+    pub place: Option<Box<Placement>>,
     pub surface: u32,
     pub interior_surface: u32,
     /// First of the parts' surfaces in `World::part_surfaces`.
@@ -65,10 +69,29 @@ pub(super) struct Geometry {
     pub roots: Vec<Root>,
     /// Bounds of each root.
     pub root_bounds: Vec<Aabb>,
+    /// The same for rays, where there is no tree.
+    root_reach: Vec<Reach>,
     /// Over the finite roots, by place in `finite`; `None` when they are too few.
     pub tree: Option<Bvh>,
     pub finite: Vec<u32>,
     pub infinite: Vec<u32>,
+    /// The finite roots by place once more, if most of them are spheres: a ray that misses one touches
+    /// nothing else of it.
+    balls: Vec<Ball>,
+}
+
+impl Root {
+    /// Whether it stops light and casts shadows.
+    fn casts_shadow(&self) -> bool {
+        self.opaque && self.hidden & RayClass::Shadow.bit() == 0
+    }
+}
+
+/// The best crossing so far, the root that it belongs to, and the bit of roots that are not seen.
+struct Nearest {
+    found: Option<Found>,
+    root: u32,
+    hidden: u8,
 }
 
 /// With so few finite roots a tree costs more than it saves.
@@ -84,6 +107,7 @@ impl Geometry {
             if b.is_finite() { self.finite.push(i as u32) } else { self.infinite.push(i as u32) }
         }
         if self.finite.len() < TREE_FROM {
+            self.root_reach = self.root_bounds.iter().map(Reach::new).collect();
             return;
         }
         let boxes: Vec<Aabb> = self.finite.iter().map(|&i| self.root_bounds[i as usize]).collect();
@@ -91,85 +115,124 @@ impl Geometry {
         self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
         tree.take_order();
         self.tree = Some(tree);
+        let balls: Vec<Ball> = self.finite.iter().map(|&i| self.ball(i)).collect();
+        if 2 * balls.iter().filter(|b| b.is_some()).count() >= balls.len() {
+            self.balls = balls;
+        }
+    }
+
+    fn ball(&self, root: u32) -> Ball {
+        let Solid::Leaf(i) = self.roots[root as usize].solid else { return Ball::NONE };
+        let leaf = &self.leaves[i as usize];
+        Ball::new(leaf.shape.as_ref(), leaf.place.as_deref()).unwrap_or(Ball::NONE)
     }
 
     /// The nearest crossing among the roots that `class` sees. Of equal distances the root that the scene
     /// names first counts.
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
-        let mut best: Option<Found> = None;
-        let mut best_root = NONE;
-        let bit = class.bit();
-        let mut visit = |index: u32, max: f64| {
-            let root = &self.roots[index as usize];
-            if root.hidden & bit != 0 {
-                return max;
-            }
-            let limit = if index < best_root { max.next_up() } else { max };
-            match self.nearest_of(root.solid, ray, Range::new(range.min, limit)) {
-                Some(found) => {
-                    best = Some(found);
-                    best_root = index;
-                    found.t.min(max)
-                }
-                None => max,
-            }
-        };
+        let mut best = Nearest { found: None, root: NONE, hidden: class.bit() };
         let mut max = range.max;
         for &i in &self.infinite {
-            max = visit(i, max);
+            max = self.nearer(&mut best, i, ray, Range::new(range.min, max));
         }
-        self.visit_finite(ray, Range::new(range.min, max), visit);
-        best
+        let range = Range::new(range.min, max);
+        match &self.tree {
+            Some(tree) if self.balls.is_empty() => tree.traverse(ray, range, |place, max| {
+                let index = self.finite[place as usize];
+                self.nearer(&mut best, index, ray, Range::new(range.min, max))
+            }),
+            Some(tree) => tree.traverse(ray, range, |place, max| {
+                let ball = &self.balls[place as usize];
+                let within = Range::new(range.min, max);
+                if ball.is_some() && !ball.may_be_met(ray, within) {
+                    return max;
+                }
+                self.nearer(&mut best, self.finite[place as usize], ray, within)
+            }),
+            None if self.finite.is_empty() => {}
+            None => {
+                let probe = Probe::new(ray);
+                for &i in &self.finite {
+                    if self.may_meet(i, &probe, Range::new(range.min, max)) {
+                        max = self.nearer(&mut best, i, ray, Range::new(range.min, max));
+                    }
+                    if max <= range.min {
+                        break;
+                    }
+                }
+            }
+        }
+        best.found
     }
 
-    /// Whether an opaque root that casts shadows lies inside `range`. `last` remembers which one did, and is
-    /// asked first: neighbouring rays are mostly stopped by the same object.
-    pub fn blocked(&self, ray: &Ray, range: Range, last: &mut u32) -> bool {
-        let stops = |index: u32| {
-            let root = &self.roots[index as usize];
-            root.opaque && root.hidden & RayClass::Shadow.bit() == 0 && self.meets(root.solid, ray, range)
-        };
-        if *last != NONE && stops(*last) {
-            return true;
+    /// Takes root `index` into `best` if it is crossed nearer; the new end of the range.
+    #[inline]
+    fn nearer(&self, best: &mut Nearest, index: u32, ray: &Ray, range: Range) -> f64 {
+        let root = &self.roots[index as usize];
+        if root.hidden & best.hidden != 0 {
+            return range.max;
         }
-        let mut found = |index: u32| {
-            let stopped = index != *last && stops(index);
+        let limit = if index < best.root { range.max.next_up() } else { range.max };
+        match self.nearest_of(root.solid, ray, Range::new(range.min, limit)) {
+            Some(found) => {
+                best.found = Some(found);
+                best.root = index;
+                found.t.min(range.max)
+            }
+            None => range.max,
+        }
+    }
+
+    /// What stands in the way of light inside `range`. `last` remembers which opaque root did, and it is asked
+    /// first: neighbouring rays are mostly stopped by the same object.
+    pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
+        if *last != NONE {
+            let root = &self.roots[*last as usize];
+            if root.casts_shadow() && self.meets(root.solid, ray, range) {
+                return Obstacle::Opaque;
+            }
+        }
+        let skipped = *last;
+        let mut filter = Nearest { found: None, root: NONE, hidden: RayClass::Filtered.bit() };
+        let mut max = range.max;
+        let mut stops = |index: u32| {
+            let root = &self.roots[index as usize];
+            if !root.casts_shadow() {
+                max = self.nearer(&mut filter, index, ray, Range::new(range.min, max));
+                return false;
+            }
+            let stopped = index != skipped && self.meets(root.solid, ray, range);
             if stopped {
                 *last = index;
             }
             stopped
         };
-        if self.infinite.iter().any(|&i| found(i)) {
-            return true;
-        }
-        match &self.tree {
-            Some(tree) => tree.any(ray, range, |place| found(self.finite[place as usize])),
-            None => self.finite.iter().any(|&i| self.may_meet(i, ray, range) && found(i)),
-        }
-    }
-
-    /// Calls `visit` with the roots whose bounds the ray may meet.
-    #[inline]
-    fn visit_finite(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
-        if let Some(tree) = &self.tree {
-            tree.traverse(ray, range, |place, max| visit(self.finite[place as usize], max));
-            return;
-        }
-        let mut max = range.max;
-        for &i in &self.finite {
-            if self.may_meet(i, ray, Range::new(range.min, max)) {
-                max = visit(i, max);
-            }
-            if max <= range.min {
-                return;
-            }
+        let stopped = self.infinite.iter().any(|&i| stops(i))
+            || match &self.tree {
+                Some(tree) if self.balls.is_empty() => {
+                    tree.any(ray, range, |place| stops(self.finite[place as usize]))
+                }
+                Some(tree) => tree.any(ray, range, |place| {
+                    let ball = &self.balls[place as usize];
+                    (!ball.is_some() || ball.may_be_met(ray, range)) && stops(self.finite[place as usize])
+                }),
+                None if self.finite.is_empty() => false,
+                None => {
+                    let probe = Probe::new(ray);
+                    self.finite.iter().any(|&i| self.may_meet(i, &probe, range) && stops(i))
+                }
+            };
+        match (stopped, filter.found) {
+            (true, _) => Obstacle::Opaque,
+            (false, Some(found)) => Obstacle::Filter(found),
+            (false, None) => Obstacle::None,
         }
     }
 
     /// Whether root `i` is worth asking without a tree: a combination takes longer than its box.
-    fn may_meet(&self, i: u32, ray: &Ray, range: Range) -> bool {
+    fn may_meet(&self, i: u32, probe: &Probe, range: Range) -> bool {
         matches!(self.roots[i as usize].solid, Solid::Leaf(_))
-            || meets(&self.root_bounds[i as usize], ray, range)
+            || probe.meets(&self.root_reach[i as usize], range)
     }
 
     /// The roots that contain `p`, in scene order.
@@ -202,7 +265,26 @@ impl Geometry {
     pub fn nearest_of(&self, solid: Solid, ray: &Ray, range: Range) -> Option<Found> {
         match solid {
             Solid::Leaf(i) => self.nearest_of_leaf(i, ray, range),
-            Solid::Compound(i) => self.compounds[i as usize].nearest(self, ray, range),
+            Solid::Compound(i) => self.nearest_of_compound(i, ray, range),
+        }
+    }
+
+    #[inline(never)]
+    fn nearest_of_compound(&self, i: u32, ray: &Ray, range: Range) -> Option<Found> {
+        with_lists(|lists| self.compounds[i as usize].nearest(self, &Probe::new(ray), range, lists))
+    }
+
+    /// The same inside a combination.
+    pub fn nearest_with(
+        &self,
+        solid: Solid,
+        probe: &Probe,
+        range: Range,
+        lists: &mut Lists,
+    ) -> Option<Found> {
+        match solid {
+            Solid::Leaf(i) => self.nearest_of_leaf(i, probe.ray, range),
+            Solid::Compound(i) => self.compounds[i as usize].nearest(self, probe, range, lists),
         }
     }
 
@@ -214,48 +296,54 @@ impl Geometry {
     #[inline]
     fn nearest_of_leaf(&self, index: u32, ray: &Ray, range: Range) -> Option<Found> {
         let leaf = &self.leaves[index as usize];
-        match &leaf.transform {
+        match &leaf.place {
             None => {
                 let crossing = leaf.shape.nearest(ray, range)?;
                 Some(Found { t: crossing.t, leaf: index, crossing })
             }
-            Some(transform) => {
-                let (local, length) = transform.inverse_ray(ray);
+            Some(place) => {
+                let (local, length) = place.inverse_ray(ray);
                 let crossing = leaf.shape.nearest(&local, range.scaled(length))?;
                 Some(Found { t: crossing.t / length, leaf: index, crossing })
             }
         }
     }
 
-    /// Appends every crossing inside `range`, children in order.
-    pub fn crossings(&self, solid: Solid, ray: &Ray, range: Range, out: &mut Vec<Found>) {
+    /// Appends every crossing inside `range` to `lists.found`, children in order.
+    pub fn crossings(&self, solid: Solid, probe: &Probe, range: Range, lists: &mut Lists) {
         match solid {
-            Solid::Leaf(i) => self.crossings_of_leaf(i, ray, range, out),
-            Solid::Compound(i) => self.compounds[i as usize].crossings(self, ray, range, out),
+            Solid::Leaf(i) => self.crossings_of_leaf(i, probe.ray, range, lists),
+            Solid::Compound(i) => self.compounds[i as usize].crossings(self, probe, range, lists),
         }
     }
 
-    fn crossings_of_leaf(&self, index: u32, ray: &Ray, range: Range, out: &mut Vec<Found>) {
+    fn crossings_of_leaf(&self, index: u32, ray: &Ray, range: Range, lists: &mut Lists) {
         let leaf = &self.leaves[index as usize];
-        super::scratch::with_crossings(|list| match &leaf.transform {
+        let Lists { found, crossings } = lists;
+        crossings.clear();
+        match &leaf.place {
             None => {
-                leaf.shape.crossings(ray, range, list);
-                out.extend(list.iter().map(|&crossing| Found { t: crossing.t, leaf: index, crossing }));
+                leaf.shape.crossings(ray, range, crossings);
+                found.extend(crossings.iter().map(|&crossing| Found {
+                    t: crossing.t,
+                    leaf: index,
+                    crossing,
+                }));
             }
-            Some(transform) => {
-                let (local, length) = transform.inverse_ray(ray);
-                leaf.shape.crossings(&local, range.scaled(length), list);
-                let found = |&crossing: &Crossing| Found { t: crossing.t / length, leaf: index, crossing };
-                out.extend(list.iter().map(found));
+            Some(place) => {
+                let (local, length) = place.inverse_ray(ray);
+                leaf.shape.crossings(&local, range.scaled(length), crossings);
+                let placed = |&crossing: &Crossing| Found { t: crossing.t / length, leaf: index, crossing };
+                found.extend(crossings.iter().map(placed));
             }
-        });
+        }
     }
 
     pub fn contains(&self, solid: Solid, p: Vec3) -> bool {
         match solid {
             Solid::Leaf(i) => {
                 let leaf = &self.leaves[i as usize];
-                let local = leaf.transform.as_ref().map_or(p, |t| t.inverse_point(p));
+                let local = leaf.place.as_ref().map_or(p, |t| t.inverse_point(p));
                 leaf.shape.contains(local) != leaf.inverted
             }
             Solid::Compound(i) => self.compounds[i as usize].contains(self, p),
@@ -266,28 +354,19 @@ impl Geometry {
     pub fn locate(&self, ray: &Ray, found: &Found) -> Located {
         let leaf = &self.leaves[found.leaf as usize];
         let sign = if leaf.inverted { -1.0 } else { 1.0 };
-        let Some(t) = &leaf.transform else {
+        let Some(place) = &leaf.place else {
             let (point, error) = leaf.shape.locate(ray, &found.crossing);
             let normal = sign * leaf.shape.normal(point, &found.crossing);
             let face = leaf.shape.face_normal(point, &found.crossing).map_or(normal, |f| sign * f);
             return Located { point, error, local: point, normal, face };
         };
-        let (local_ray, _) = t.inverse_ray(ray);
+        let (local_ray, _) = place.inverse_ray(ray);
         let (local, local_error) = leaf.shape.locate(&local_ray, &found.crossing);
-        let point = t.point(local);
         let raw = leaf.shape.normal(local, &found.crossing);
-        let normal = (sign * t.normal(raw)).normalize_or(raw);
-        // Errors as far as they lie along the surface's normal: the shape's own and the rounding of the way back to
-        // object space, seen through the transform, and the rounding of the world point.
-        let face = match leaf.shape.face_normal(local, &found.crossing) {
-            Some(f) => (sign * t.normal(f)).normalize_or(f),
-            None => normal,
-        };
-        let inward = t.forward.matrix3.transpose() * face;
-        let back = rounding(&t.inverse, point);
-        let error = inward.length() * local_error
-            + inward.abs().dot(back)
-            + face.abs().dot(rounding(&t.forward, local));
+        let raw_face = leaf.shape.face_normal(local, &found.crossing);
+        let normal = sign * place.normal(raw);
+        let face = raw_face.map_or(normal, |f| sign * place.normal(f));
+        let (point, error) = place.point(local, local_error, face);
         Located { point, error, local, normal, face }
     }
 }
@@ -299,11 +378,4 @@ pub(super) struct Located {
     pub local: Vec3,
     pub normal: Vec3,
     pub face: Vec3,
-}
-
-/// Bound on the rounding of `m * p`, per component.
-fn rounding(m: &glam::DAffine3, p: Vec3) -> Vec3 {
-    let a = m.matrix3;
-    let reach = a.x_axis.abs() * p.x.abs() + a.y_axis.abs() * p.y.abs() + a.z_axis.abs() * p.z.abs();
-    (reach + m.translation.abs()) * (8.0 * EPSILON)
 }

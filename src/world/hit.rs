@@ -1,3 +1,4 @@
+use crate::color::Rgb;
 use crate::material::{Attached, Texture};
 use crate::math::{Aabb, Transform, Vec3};
 use crate::shape::Crossing;
@@ -49,9 +50,22 @@ pub enum RayClass {
     Shadow,
     /// A radiosity sample.
     Radiosity,
+    /// Towards a light, past objects that let light through: those that do not are known to be out of the
+    /// way.
+    Filtered,
     /// A photon, and one with a reflection in its history.
     Photon,
     ReflectedPhoton,
+}
+
+/// What stands between a point and a lamp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Obstacle<T> {
+    None,
+    /// Something that no light passes.
+    Opaque,
+    /// Nothing opaque, and this is met first.
+    Filter(T),
 }
 
 impl RayClass {
@@ -105,8 +119,28 @@ pub struct Surface {
     pub layers: Vec<SurfaceLayer>,
     /// Whether some layer lets no light through anywhere.
     pub opaque: bool,
+    /// What all layers let through, if that is the same everywhere.
+    pub filter: Option<Rgb>,
     /// Whether some layer hangs on how a ray met the surface, not on the point alone.
     pub asks_hit: bool,
+}
+
+impl Surface {
+    pub(super) fn new(layers: Vec<SurfaceLayer>) -> Self {
+        let opaque = layers.iter().any(|l| l.texture.is_opaque());
+        let mut filter = Some(Rgb::ONE);
+        for layer in layers.iter().rev() {
+            let own = match &*layer.texture {
+                Texture::Layers(plain) => {
+                    plain.iter().rev().try_fold(Rgb::ONE, |f, l| Some(f * l.pigment.plain()?.transmittance()))
+                }
+                Texture::Patterned(_) => None,
+            };
+            filter = filter.zip(own).map(|(a, b)| a * b);
+        }
+        let asks_hit = layers.iter().any(|l| l.texture.asks_hit());
+        Self { layers, opaque, filter, asks_hit }
+    }
 }
 
 #[derive(Debug)]

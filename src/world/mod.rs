@@ -3,17 +3,20 @@
 //! When you hold a [`World`]: CSG children know their transforms to world space, textures and interiors
 //! are inherited, numbered and shared, infinite objects stand apart from the tree.
 
+mod ball;
 mod compound;
 mod flatten;
 mod geometry;
 mod hit;
+mod placement;
+mod probe;
 mod query;
 mod scratch;
 mod stats;
 #[cfg(test)]
 mod tests;
 
-pub use hit::{Hit, InteriorId, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
+pub use hit::{Hit, InteriorId, Obstacle, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
 pub use stats::Stats;
 
@@ -45,7 +48,6 @@ pub struct World {
     shadings: Vec<Shading>,
     interiors: Vec<Inside>,
     projectors: Vec<Solid>,
-    all_opaque: bool,
 }
 
 /// Surfaces of one projector that a ray is followed through.
@@ -87,7 +89,6 @@ impl World {
         for (i, light) in flat.lights.iter_mut().chain(&mut flat.group_lights).enumerate() {
             light.number = i as u32;
         }
-        let all_opaque = flat.geometry.roots.iter().all(|r| r.opaque);
         World {
             scene,
             lights: flat.lights,
@@ -99,7 +100,6 @@ impl World {
             shadings: flat.shadings,
             interiors: flat.interiors,
             projectors: flat.projectors,
-            all_opaque,
         }
     }
 
@@ -148,16 +148,20 @@ impl World {
         self.geometry.nearest_of(self.projectors[index as usize], ray, range).map(|f| f.t)
     }
 
-    /// Whether any fully opaque object that casts shadows lies inside `range`; used before a shadow ray
-    /// is followed in full. False when only transparent ones do. `last` only makes it faster: one per light
-    /// and thread, at first [`Blocker::default`].
-    pub fn blocked(&self, ray: &Ray, range: Range, last: &mut Blocker) -> bool {
-        self.geometry.blocked(ray, range, &mut last.0)
+    /// What stands in the way of light inside `range`: any fully opaque object, or else the nearest surface of
+    /// one that lets light through. `last` only makes it faster: one per light and thread, at first
+    /// [`Blocker::default`].
+    pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut Blocker) -> Obstacle<Hit> {
+        match self.geometry.obstacle(ray, range, &mut last.0) {
+            Obstacle::None => Obstacle::None,
+            Obstacle::Opaque => Obstacle::Opaque,
+            Obstacle::Filter(found) => Obstacle::Filter(self.hit(ray, &found)),
+        }
     }
 
-    /// Whether no object lets light through: then [`World::blocked`] is the whole answer.
+    /// Whether no object lets light through.
     pub fn all_opaque(&self) -> bool {
-        self.all_opaque
+        self.geometry.roots.iter().all(|r| r.opaque)
     }
 
     /// The interiors of the top-level objects that contain `p`, in scene order.
@@ -255,7 +259,8 @@ impl World {
                 }
             }
             Solid::Compound(i) => {
-                for &child in &self.geometry.compounds[i as usize].children {
+                for child in &self.geometry.compounds[i as usize].children {
+                    let child = child.solid;
                     let inverted =
                         matches!(child, Solid::Leaf(l) if self.geometry.leaves[l as usize].inverted);
                     if !inverted && self.geometry.contains(child, p) {

@@ -4,25 +4,25 @@ use super::geometry::Found;
 use crate::shape::Crossing;
 use std::cell::RefCell;
 
+/// Crossings of combinations, used as a stack, and of the one shape that is being asked.
+#[derive(Debug, Default)]
+pub(super) struct Lists {
+    pub found: Vec<Found>,
+    pub crossings: Vec<Crossing>,
+}
+
 thread_local! {
-    static CROSSINGS: RefCell<Vec<Vec<Crossing>>> = const { RefCell::new(Vec::new()) };
-    static FOUND: RefCell<Vec<Vec<Found>>> = const { RefCell::new(Vec::new()) };
+    static LISTS: RefCell<Lists> = const { RefCell::new(Lists { found: Vec::new(), crossings: Vec::new() }) };
 }
 
-/// Runs `work` with an empty list; nested calls get lists of their own.
-pub(super) fn with_crossings<R>(work: impl FnOnce(&mut Vec<Crossing>) -> R) -> R {
-    let mut list = CROSSINGS.with_borrow_mut(Vec::pop).unwrap_or_default();
-    list.clear();
-    let result = work(&mut list);
-    CROSSINGS.with_borrow_mut(|pool| pool.push(list));
-    result
-}
-
-/// Runs `work` with an empty list; nested calls get lists of their own.
-pub(super) fn with_found<R>(work: impl FnOnce(&mut Vec<Found>) -> R) -> R {
-    let mut list = FOUND.with_borrow_mut(Vec::pop).unwrap_or_default();
-    list.clear();
-    let result = work(&mut list);
-    FOUND.with_borrow_mut(|pool| pool.push(list));
-    result
+/// Runs `work` with empty lists; nested calls get new ones.
+#[inline]
+pub(super) fn with_lists<R>(work: impl FnOnce(&mut Lists) -> R) -> R {
+    LISTS.with(|lists| match lists.try_borrow_mut() {
+        Ok(mut lists) => {
+            lists.found.clear();
+            work(&mut lists)
+        }
+        Err(_) => work(&mut Lists::default()),
+    })
 }

@@ -80,7 +80,7 @@ impl World {
             Solid::Leaf(_) => 0,
             Solid::Compound(i) => {
                 let children = &self.geometry.compounds[i as usize].children;
-                1 + children.iter().map(|&c| self.depth_of(c)).max().unwrap_or(0)
+                1 + children.iter().map(|c| self.depth_of(c.solid)).max().unwrap_or(0)
             }
         }
     }

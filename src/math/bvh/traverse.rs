@@ -1,5 +1,5 @@
 use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
-use crate::math::{Range, Ray, Vec3};
+use crate::math::{Range, Ray};
 
 /// Relative error of a slab distance in single precision: direction, reciprocal, difference, product.
 const SLACK: f32 = 8.0 * f32::EPSILON;
@@ -8,6 +8,8 @@ const SMALLEST_COMPONENT: f64 = 1e-18;
 
 /// Room for waiting children that a ray sets aside without asking for memory; deeper trees ask.
 const STACK: usize = 96;
+/// The same for small trees, which most scenes have.
+const SMALL_STACK: usize = 16;
 
 /// A ray in the tree's coordinates, with its rounding bounds worked in.
 struct Setup {
@@ -49,7 +51,9 @@ impl Bvh {
             return;
         }
         let Some(setup) = self.setup(ray, range) else { return };
-        if self.stack_size <= STACK {
+        if self.stack_size <= SMALL_STACK {
+            self.run::<SORTED>(&setup, range, &mut [0; SMALL_STACK], visit);
+        } else if self.stack_size <= STACK {
             self.run::<SORTED>(&setup, range, &mut [0; STACK], visit);
         } else {
             self.run::<SORTED>(&setup, range, &mut vec![0; self.stack_size], visit);
@@ -76,57 +80,53 @@ impl Bvh {
         plain::<SORTED>(self, setup, range, stack, visit);
     }
 
+    #[inline]
     fn setup(&self, ray: &Ray, range: Range) -> Option<Setup> {
+        let dir =
+            ray.dir.map(|d| if d.abs() < SMALLEST_COMPONENT { SMALLEST_COMPONENT.copysign(d) } else { d });
+        let inverse = dir.recip();
         let advance = self.entry(ray, range)?;
-        let start = ray.origin + advance * ray.dir;
-        let o = (start - self.center) * self.scale;
+        let o = (ray.origin + advance * ray.dir - self.center) * self.scale;
         // What rounding in the move and the shift cost, in the tree's units.
-        let reach = ray.origin.abs() + Vec3::splat(advance.abs()) + self.center.abs();
-        let cost = reach * (4.0 * f64::EPSILON * self.scale);
+        let reach = ray.origin.abs() + (self.center.abs() + advance);
+        let pad = reach * (4.01 * f64::EPSILON * self.scale) + o.abs() * (4.0 * f64::from(f32::EPSILON));
         let mut setup = Setup {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
-            inverse: [0.0; 3],
-            near_plane: [0, 1, 2],
-            far_plane: [3, 4, 5],
+            inverse: inverse.as_vec3().to_array(),
+            near_plane: [0; 3],
+            far_plane: [0; 3],
             advance,
         };
         for axis in 0..3 {
-            let d = ray.dir[axis];
-            let d = if d.abs() < SMALLEST_COMPONENT { SMALLEST_COMPONENT.copysign(d) } else { d };
-            let origin = o[axis] as f32;
-            let pad = origin.abs() * (4.0 * f32::EPSILON) + cost[axis] as f32 * 1.001 + f32::MIN_POSITIVE;
-            let back = if d > 0.0 { pad } else { -pad };
-            setup.near_origin[axis] = origin + back;
-            setup.far_origin[axis] = origin - back;
-            setup.inverse[axis] = 1.0 / d as f32;
-            if d < 0.0 {
-                setup.near_plane[axis] = axis + 3;
-                setup.far_plane[axis] = axis;
-            }
+            let (origin, pad) = (o[axis] as f32, pad[axis] as f32 + f32::MIN_POSITIVE);
+            let pad = pad.copysign(setup.inverse[axis]);
+            setup.near_origin[axis] = origin + pad;
+            setup.far_origin[axis] = origin - pad;
+            let backward = usize::from(setup.inverse[axis].is_sign_negative());
+            setup.near_plane[axis] = axis + 3 * backward;
+            setup.far_plane[axis] = axis + 3 - 3 * backward;
         }
         Some(setup)
     }
 
     /// How far to move the ray before rounding it: to where it enters the box of everything, or 0 when it
     /// starts inside. `None` if it misses that box.
+    #[inline]
     fn entry(&self, ray: &Ray, range: Range) -> Option<f64> {
         let (mut near, mut far) = (range.min, range.max);
+        // Infinite for 0, which the pad keeps from meeting another 0.
+        let inverse = ray.dir.recip();
+        let pad = ray.origin.abs() * (2.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+        let a = (self.bounds.min - pad - ray.origin) * inverse;
+        let b = (self.bounds.max + pad - ray.origin) * inverse;
         for axis in 0..3 {
-            let (o, d) = (ray.origin[axis], ray.dir[axis]);
-            let (lo, hi) = (self.bounds.min[axis], self.bounds.max[axis]);
-            if d == 0.0 {
-                if o < lo || o > hi {
-                    return None;
-                }
-                continue;
-            }
-            let (a, b) = ((lo - o) / d, (hi - o) / d);
-            near = near.max(a.min(b));
-            far = far.min(a.max(b));
+            let (lo, hi) = if inverse[axis] > 0.0 { (a[axis], b[axis]) } else { (b[axis], a[axis]) };
+            near = if lo > near { lo } else { near };
+            far = if hi < far { hi } else { far };
         }
-        let slack = 4.0 * f64::EPSILON * near.abs().max(far.abs());
-        if near > far + slack {
+        let slack = 8.0 * f64::EPSILON * (near.abs() + far.abs());
+        if near > far + slack || near == f64::INFINITY {
             return None;
         }
         Some(if near > 0.0 && near.is_finite() { near } else { 0.0 })
