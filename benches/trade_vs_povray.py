@@ -5,7 +5,7 @@
 
 For each scene POV-Ray renders over a grid of anti-aliasing settings and Glint over a row of --max-error, one
 thread each. A picture's error is its RMSE in linear light clipped to 0..1 against the converged picture of its
-own renderer: POV-Ray's with +AM1 +A0.0 +R9 -J, Glint's with 1,024 stratified samples in every pixel and other
+own renderer: POV-Ray's with +AM1 +A0.0 +R9 -J, Glint's with 256 stratified samples in every pixel and other
 random numbers. Times are CPU seconds of tracing: POV-Ray's own statistics, Glint's --json; the least of the runs.
 
 Printed: seconds to reach 40 dB (POV-Ray: the quickest setting of the grid that reaches it; Glint: the quickest
@@ -82,7 +82,7 @@ def measure(name, path, width, height, declared, runs):
     if not truths["povray"].exists():
         povray(scene, truths["povray"], *place, ["+AM1", "+A0.0", "+R9", "-J"])
     if not truths["glint"].exists():
-        glint(scene, truths["glint"], *place, ["--min-samples", "1024", "--seed", "77"])
+        glint(scene, truths["glint"], *place, ["--min-samples", "256", "--seed", "77"])
     agree = decibels(truths["povray"], truths["glint"])
     rows = {"povray": [], "glint": []}
     for method, threshold, depth in POVRAY_GRID:

@@ -167,7 +167,10 @@ fn the_report_stands_alone() {
         assert!(html.contains(part), "{part}");
     }
     assert_eq!(html.matches("class=\"point\"").count(), m.rows.len());
-    assert!(!html.contains("http") && !html.contains("src=\"/"), "nothing is fetched");
+    assert!(
+        !html.contains("http:") && !html.contains("https:") && !html.contains("src=\"/"),
+        "nothing is fetched"
+    );
     let json = serde_json::to_value(&m).unwrap();
     assert_eq!(json["rows"].as_array().unwrap().len(), m.rows.len());
     assert_eq!(json["rows"][0]["settings"]["aa_method"], "none");

@@ -252,7 +252,9 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let results: Mutex<Vec<(usize, Vec<Found>)>> = Mutex::new(Vec::new());
         self.pool.broadcast(|thread| {
             let mut sampler = self.samplers[thread.index()].lock().expect("threads do not panic");
-            while !self.observer.cancelled() && !self.is_late(0.0) {
+            // However little time there is: something is seen.
+            let is_first = || self.samples == 0 && next.load(Ordering::Relaxed) == 0;
+            while !self.observer.cancelled() && (is_first() || !self.is_late(0.0)) {
                 let first = next.fetch_add(chunk, Ordering::Relaxed);
                 let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
                 let tasks = &tasks[..tasks.len().min(chunk)];

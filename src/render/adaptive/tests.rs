@@ -158,6 +158,10 @@ fn there_is_always_a_picture() {
     assert!(outcome.samples < u64::from(WIDTH * HEIGHT) / 4);
     assert!(picture.pixels.iter().all(|p| p.transmit == 0.0));
     assert!(compare(&picture, &truth(&WAVES), &light()).rmse < 0.35);
+    // Even when time was up before it began.
+    let (picture, outcome) = run(&Adaptive { deadline: Some(-1.0), ..short }, 2, &NoClock, waves);
+    assert!((1..100).contains(&outcome.samples), "{}", outcome.samples);
+    assert!(picture.pixels.iter().all(|p| p.transmit == 0.0));
 }
 
 /// Nothing to see is seen quickly.

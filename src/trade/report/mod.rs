@@ -88,7 +88,9 @@ fn write_row(html: &mut String, row: &Row, is_knee: bool) {
 }
 
 const HEAD: &str = r#"<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>Glint: speed against accuracy</title><style>
+<html lang="en"><head><meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
+<title>Glint: speed against accuracy</title><style>
 body { font: 14px/1.45 system-ui, sans-serif; margin: 1.5em auto; max-width: 1100px; padding: 0 1em; color: #222; background: #fafafa }
 table { border-collapse: collapse; margin: 1em 0 } th, td { padding: 3px 9px; border-bottom: 1px solid #ddd; text-align: left }
 th { cursor: pointer; position: sticky; top: 0; background: #eee; white-space: nowrap }
