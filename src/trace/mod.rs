@@ -26,6 +26,7 @@ pub use photon::{Photons, Shooting};
 pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile};
 pub use tracer::{Indirect, Tracer};
 
+use crate::math::Vec3;
 pub use crate::picture::Pixel;
 
 /// What the caller decides about a picture, apart from the scene.
@@ -66,6 +67,16 @@ pub struct Counters {
     pub shadow_rays: u64,
     pub reflected_rays: u64,
     pub refracted_rays: u64,
+    /// Colours of surfaces that came out as no numbers, and were drawn black.
+    pub not_numbers: u64,
+}
+
+/// Where a colour first came out as no number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotNumber {
+    /// The kind of shape.
+    pub kind: &'static str,
+    pub point: Vec3,
 }
 
 impl std::ops::AddAssign for Counters {
@@ -74,5 +85,6 @@ impl std::ops::AddAssign for Counters {
         self.shadow_rays += o.shadow_rays;
         self.reflected_rays += o.reflected_rays;
         self.refracted_rays += o.refracted_rays;
+        self.not_numbers += o.not_numbers;
     }
 }

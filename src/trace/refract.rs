@@ -112,7 +112,7 @@ pub(super) fn faded(interior: &Interior, distance: f64) -> Rgb {
 
 /// Whether an interior fades light at all.
 pub(super) fn fades(interior: &Interior) -> bool {
-    interior.fade_distance.abs() > NEAR
+    interior.fade_distance != 0.0
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@ use super::path::{Interiors, Path, Radiance, Veil, copied};
 use super::photon::{Nearby, Photons};
 use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
-use super::shade::Onward;
+use super::shade::{Onward, Shaded};
 use super::sky::{self, Leaving};
 use super::subsurface::Subsurface;
-use super::{Counters, Pixel, Settings, rainbow};
+use super::{Counters, NotNumber, Pixel, Settings, rainbow};
 use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
@@ -32,6 +32,7 @@ pub struct Tracer<'w> {
     pub(super) world: &'w World,
     pub(super) settings: Settings,
     pub(super) counters: Counters,
+    not_number: Option<NotNumber>,
     pub(super) random: Random,
     pub(super) needs: Needs,
     pub(super) adc_bailout: f32,
@@ -102,6 +103,7 @@ impl<'w> Tracer<'w> {
             world,
             settings: settings.clone(),
             counters: Counters::default(),
+            not_number: None,
             random: Random::new(0, 0, 0),
             needs: Needs::new(world, settings.quality),
             adc_bailout: settings.overrides.adc_bailout.unwrap_or(globals.adc_bailout),
@@ -225,7 +227,11 @@ impl<'w> Tracer<'w> {
 
     fn seen_along(&mut self, ray: Option<Ray>) -> Pixel {
         let nothing = Radiance { rgb: Rgb::ZERO, transmit: 1.0 };
-        let seen = ray.map_or(nothing, |ray| self.camera_ray(ray));
+        let mut seen = ray.map_or(nothing, |ray| self.camera_ray(ray));
+        if seen.rgb.is_nan() || seen.transmit.is_nan() {
+            self.counters.not_numbers += 1;
+            seen = Radiance::BLACK;
+        }
         Pixel { rgb: seen.rgb, transmit: seen.transmit }
     }
 
@@ -249,6 +255,19 @@ impl<'w> Tracer<'w> {
             return self.world.interiors_at(ray.origin);
         }
         copied(self.camera_inside.get_or_insert_with(|| self.world.interiors_at(ray.origin)))
+    }
+
+    /// Where a colour first came out as no number, if one did.
+    pub fn not_number(&self) -> Option<NotNumber> {
+        self.not_number
+    }
+
+    /// Draws what is no number black, and keeps where it came from: rays from further on were here before.
+    #[cold]
+    fn refuse(&mut self, hit: &Hit, shaded: &mut Shaded) {
+        self.counters.not_numbers += 1;
+        self.not_number.get_or_insert(NotNumber { kind: self.world.kind(hit), point: hit.point });
+        *shaded = Shaded { light: Radiance::BLACK, onward: None };
     }
 
     pub fn counters(&self) -> Counters {
@@ -280,7 +299,10 @@ impl<'w> Tracer<'w> {
             let Some(hit) = &next else {
                 return front.over(self.leave(&ray, &path));
             };
-            let shaded = self.shade(&ray, hit, &path);
+            let mut shaded = self.shade(&ray, hit, &path);
+            if shaded.light.rgb.is_nan() || shaded.light.transmit.is_nan() {
+                self.refuse(hit, &mut shaded);
+            }
             if self.needs.interiors {
                 front = self.segment_veil(&ray, hit, &path).under(front);
             }

@@ -200,6 +200,11 @@ impl World {
         &self.shadings[shading as usize].photons
     }
 
+    /// The kind of shape that was hit.
+    pub fn kind(&self, hit: &Hit) -> &'static str {
+        self.geometry.leaves[hit.item as usize].shape.kind()
+    }
+
     /// The surface parameters of a hit: the shape's own, or world x and y.
     pub fn uv(&self, hit: &Hit) -> Vec2 {
         let shape = &self.geometry.leaves[hit.item as usize].shape;

@@ -145,6 +145,7 @@ impl<'a> Job<'a> {
             shadow_rays: counters.shadow_rays,
             reflected_rays: counters.reflected_rays,
             refracted_rays: counters.refracted_rays,
+            not_numbers: counters.not_numbers,
             peak_rss_bytes: peak_rss_bytes(),
             adaptive,
             warnings: parsed.warnings,
@@ -220,6 +221,13 @@ fn writing_seconds(plan: &Plan) -> f64 {
 fn total(mut total: Counters, tracers: &[Tracer]) -> Counters {
     for tracer in tracers {
         total += tracer.counters();
+    }
+    if let Some(first) = tracers.iter().find_map(Tracer::not_number) {
+        let (n, kind, p) = (total.not_numbers, first.kind, first.point);
+        eprintln!(
+            "{n} colours are no numbers and were drawn black; the first is on a {kind} at <{}, {}, {}>",
+            p.x, p.y, p.z
+        );
     }
     total
 }

@@ -23,6 +23,8 @@ pub struct RenderReport {
     pub shadow_rays: u64,
     pub reflected_rays: u64,
     pub refracted_rays: u64,
+    /// Colours that came out as no numbers, and were drawn black.
+    pub not_numbers: u64,
     pub peak_rss_bytes: u64,
     /// What adaptive sampling came to; null for other methods.
     pub adaptive: Option<Reached>,
