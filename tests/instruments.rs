@@ -108,3 +108,41 @@ fn golden_pictures_are_blessed_and_checked() {
     assert!(stdout(&orphan).contains("no scene owns this picture"));
     assert_eq!(code(&folder.glint(&["golden", "check", "nothing"])), Some(2));
 }
+
+/// Somebody else's scenes: a folder of their own, no pictures by POV-Ray, tolerances with reasons, a page
+/// that shows what changed.
+#[test]
+fn golden_serves_other_projects() {
+    let folder = Folder::new("golden-elsewhere");
+    std::fs::create_dir_all(folder.path("art/inc")).unwrap();
+    folder.write(
+        "art/inc/ball.inc",
+        "sphere { 0, 1 pigment { rgb <1, Level, 0> } finish { ambient 1 diffuse 0 } }",
+    );
+    let scene = "#version 3.7; global_settings { assumed_gamma srgb } camera { location -3*z look_at 0 }\n";
+    let options = "//! options: -W 40 -H 30 -L inc -D Level=0.5\n";
+    let text = |golden: &str, level: &str| {
+        format!("{options}{golden}{scene}#declare Level = Level + {level};\n#include \"ball.inc\"\n")
+    };
+    folder.write("art/ball.pov", &text("", "0"));
+    let golden = |words: &[&str]| {
+        folder.glint(&[&["golden"], words, &["--root", ".", "--scenes", "art", "--keep", "kept"]].concat())
+    };
+    assert_eq!(code(&golden(&["bless"])), Some(1));
+    let header = png_header(&std::fs::read(folder.path("reference-images/glint/art/ball.png")).unwrap());
+    assert_eq!(header, (40, 30, false, 8));
+    let done = golden(&["check", "--report", "good.html"]);
+    assert_eq!(code(&done), Some(0), "{}", stdout(&done));
+    let page = |name: &str| std::fs::read_to_string(folder.path(name)).unwrap();
+    assert!(page("good.html").contains("<b>0 complaints</b>"));
+    // 5 of 255 brighter in one channel: too far, and within a tolerance that the scene gives a reason for.
+    folder.write("art/ball.pov", &text("", "0.02"));
+    let done = golden(&["check", "--report", "bad.html"]);
+    assert_eq!(code(&done), Some(1));
+    assert!(stdout(&done).contains("largest difference 5 of 255"), "{}", stdout(&done));
+    assert_eq!(page("bad.html").matches("<img src=\"data:image/png;base64,").count(), 3);
+    assert!(folder.path("kept/art/ball.difference.png").is_file());
+    folder.write("art/ball.pov", &text("//! golden: 5 of 255, because the test says so\n", "0.02"));
+    let done = golden(&["check"]);
+    assert_eq!(code(&done), Some(0), "{}", stdout(&done));
+}

@@ -398,6 +398,15 @@ pub struct GoldenArgs {
     /// The project's folder [default: the nearest one above that has `reference-images`]
     #[arg(long, value_name = "DIR")]
     pub root: Option<PathBuf>,
+    /// A folder of scenes in the project; may be repeated [default: scenes and tests/scenes]
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Vec<PathBuf>,
+    /// Where pictures that differ are kept [default: target/golden in the project]
+    #[arg(long, value_name = "DIR")]
+    pub keep: Option<PathBuf>,
+    /// Write what `check` found as a self-contained HTML page
+    #[arg(long, value_name = "HTML")]
+    pub report: Option<PathBuf>,
     /// The POV-Ray program
     #[arg(long, value_name = "PATH", default_value = "povray")]
     pub povray: PathBuf,

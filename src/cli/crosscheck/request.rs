@@ -1,4 +1,4 @@
-use crate::cli::args::{AaMethod, PictureArgs};
+use crate::cli::args::{AaMethod, Includes, PictureArgs};
 use crate::cli::exit::Failure;
 use std::path::{Path, PathBuf};
 
@@ -24,9 +24,12 @@ pub struct Request {
     pub jitter: bool,
     pub quality: u8,
     pub alpha: bool,
-    /// Glint's embedded include files instead of POV-Ray's.
-    pub embedded: bool,
+    /// Where Glint's standard include files come from.
+    pub includes: Includes,
     pub library: Vec<PathBuf>,
+    /// `NAME=VALUE`.
+    pub declares: Vec<String>,
+    pub clock: Option<f64>,
 }
 
 impl Request {
@@ -41,8 +44,10 @@ impl Request {
             jitter: picture.antialias.is_some() && picture.jitter == "on",
             quality: picture.quality,
             alpha: false,
-            embedded: false,
+            includes: Includes::Auto,
             library: Vec::new(),
+            declares: Vec::new(),
+            clock: None,
         }
     }
 
@@ -70,7 +75,13 @@ impl Request {
             words.push(format!("--jitter={}", if self.jitter { "on" } else { "off" }));
         }
         words.extend(self.alpha.then(|| "--alpha".into()));
-        words.extend(self.embedded.then(|| "--includes=embedded".into()));
+        words.extend(match self.includes {
+            Includes::Auto => None,
+            Includes::Embedded => Some("--includes=embedded".into()),
+            Includes::Installed => Some("--includes=installed".into()),
+        });
+        words.extend(self.declares.iter().map(|d| format!("-D{d}")));
+        words.extend(self.clock.map(|c| format!("--clock={c}")));
         words
     }
 
@@ -89,7 +100,36 @@ impl Request {
         words.extend(["-D".into(), "+WT1".into(), "+FN8".into(), "+L.".into()]);
         words.push(if self.alpha { "+UA".into() } else { "-UA".into() });
         words.extend(self.library.iter().map(|l| format!("+L{}", l.display())));
+        words.extend(self.declares.iter().map(|d| format!("Declare={d}")));
+        words.extend(self.clock.map(|c| format!("+K{c}")));
         words.extend(INCLUDE_FOLDERS.iter().filter(|f| Path::new(f).is_dir()).map(|f| format!("+L{f}")));
         words
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Cli, Command};
+    use clap::Parser;
+
+    #[test]
+    fn both_programs_are_asked_for_the_same() {
+        let line = ["glint", "crosscheck", "a.pov", "-W8", "-H6", "-A=0.1", "--aa-method", "2"];
+        let Command::Crosscheck(args) = Cli::try_parse_from(line).unwrap().command else { panic!() };
+        let request = Request {
+            declares: vec!["Detail=3".into()],
+            clock: Some(0.5),
+            includes: Includes::Embedded,
+            library: vec!["lib".into()],
+            ..Request::of(&args.picture)
+        };
+        let (glint, povray) = (request.glint().join(" "), request.povray().join(" "));
+        for part in ["-W8 -H6", "-A=0.1 --aa-method=2", "-Llib", "-DDetail=3", "--clock=0.5", "=embedded"] {
+            assert!(glint.contains(part), "{part}: {glint}");
+        }
+        for part in ["+W8 +H6", "+A0.1 +AM2", "+Llib", "Declare=Detail=3", "+K0.5"] {
+            assert!(povray.contains(part), "{part}: {povray}");
+        }
     }
 }

@@ -7,41 +7,40 @@
 //! ```text
 //! //! options: -A=0.3 --aa-method 2
 //! //! tolerance: 34 dB, because crackle's cells end where rounding says
+//! //! golden: 3 of 255, because crand draws by pixel
 //! ```
 //!
-//! how it is rendered (the picture options of `glint render`, and `--alpha`), and how near it must come to
-//! POV-Ray's picture, with the reason; 38 dB otherwise. `//! no reference: REASON` stands where POV-Ray
-//! cannot render the scene.
+//! how it is rendered (the picture options of `glint render`, `--alpha`, `-L`, `-D`, `--clock` and
+//! `--includes`), how near it must come to POV-Ray's picture, with the reason, 38 dB otherwise, and how near
+//! to Glint's own, 1 of 255 otherwise. `//! no reference: REASON` stands where POV-Ray cannot render the
+//! scene. Without a folder of POV-Ray's pictures there is no comparison with them.
 
+mod check;
 mod header;
 mod project;
+mod report;
 
 use super::args::{GoldenArgs, GoldenCommand};
-use super::compare::decibels;
 use super::crosscheck::{Glint, NoPicture, Program, Rendering};
 use super::exit::{Exit, Failure};
 use super::in_order::{cores, in_order};
 use super::{interrupt, json};
-use crate::picture::compare::{Difference, compare, difference_image};
-use crate::picture::load::{Values, from_bytes, load};
-use crate::picture::{Output, compare::png_bytes};
+use crate::picture::Output;
 use header::Header;
 use project::{Entry, Project};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// A golden picture may be off by this many steps of 1/255 in any channel: other processors round otherwise.
-const MAX_STEPS: f64 = 1.0;
 /// A scene may take so long.
 const LIMIT: Duration = Duration::from_secs(300);
 
 pub fn run(command: &GoldenCommand) -> Result<Exit, Failure> {
     let (GoldenCommand::Check(args) | GoldenCommand::Bless(args) | GoldenCommand::Reference(args)) = command;
-    let project = Project::find(args.root.as_deref())?;
+    let project = Project::find(args)?;
     let entries = project.entries(&args.names)?;
     interrupt::listen();
     match command {
-        GoldenCommand::Check(_) => check(&project, &entries, args.names.is_empty()),
+        GoldenCommand::Check(_) => check::run(&project, &entries, args),
         GoldenCommand::Bless(_) => bless(&entries),
         GoldenCommand::Reference(_) => reference(&entries, args),
     }
@@ -49,65 +48,6 @@ pub fn run(command: &GoldenCommand) -> Result<Exit, Failure> {
 
 /// What is said about a scene, and whether that is good.
 type Verdict = Result<String, String>;
-
-fn check(project: &Project, entries: &[Entry], all: bool) -> Result<Exit, Failure> {
-    let mut failed = each(entries, |entry| check_one(project, entry));
-    if all {
-        for orphan in project.orphans(entries)? {
-            json::print_text(&format!("FAILED  {}: no scene owns this picture\n", orphan.display()))?;
-            failed += 1;
-        }
-    }
-    stopped()?;
-    if failed == 0 {
-        eprintln!("{} scenes match their pictures", entries.len());
-        return Ok(Exit::Done);
-    }
-    Err(Failure::failed(format!("{failed} complaints about {} scenes", entries.len())))
-}
-
-fn check_one(project: &Project, entry: &Entry) -> Verdict {
-    let header = Header::of(&entry.scene.path)?;
-    let png = glint(entry, &header)?.png;
-    let picture = from_bytes(&png)?;
-    let mut said = Vec::new();
-    if !entry.golden.is_file() {
-        return Err(format!("there is no picture yet: `glint golden bless {}` makes it", entry.name));
-    }
-    let golden = against(&entry.golden, &picture)?;
-    if golden.max_abs > MAX_STEPS {
-        let trace = project.leave_evidence(entry, &png, &evidence(&entry.golden, &picture)?);
-        return Err(format!(
-            "differs from Glint's earlier picture: PSNR {} dB, largest difference {} of 255; see {}",
-            decibels(golden.psnr_db),
-            golden.max_abs,
-            trace?.display()
-        ));
-    }
-    said.push(format!("golden {}", decibels(golden.psnr_db)));
-    if let Some(min) = header.min_psnr {
-        let povray = against(&entry.povray, &picture)?;
-        if !povray.reaches(min) {
-            let trace = project.leave_evidence(entry, &png, &evidence(&entry.povray, &picture)?);
-            return Err(format!(
-                "differs from POV-Ray's picture: PSNR {} dB, below {min} dB; see {}",
-                decibels(povray.psnr_db),
-                trace?.display()
-            ));
-        }
-        said.push(format!("povray {}", decibels(povray.psnr_db)));
-    }
-    Ok(said.join(", "))
-}
-
-fn against(stored: &Path, picture: &Values) -> Result<Difference, String> {
-    compare(&load(stored).map_err(|e| e.to_string())?, picture)
-}
-
-/// The stored picture's difference from the new one, as a PNG file.
-fn evidence(stored: &Path, picture: &Values) -> Result<Vec<u8>, String> {
-    png_bytes(&difference_image(&load(stored).map_err(|e| e.to_string())?, picture)?)
-}
 
 fn bless(entries: &[Entry]) -> Result<Exit, Failure> {
     each(entries, |entry| {

@@ -1,6 +1,7 @@
 //! The project's folder: scenes and where their pictures are.
 
 use super::with_folder;
+use crate::cli::args::GoldenArgs;
 use crate::cli::crosscheck::{Scene, search};
 use crate::cli::exit::Failure;
 use std::collections::HashSet;
@@ -8,10 +9,15 @@ use std::path::{Path, PathBuf};
 
 /// Folders of scenes with the size of their pictures.
 const FOLDERS: [(&str, (u32, u32)); 2] = [("scenes", (320, 240)), ("tests/scenes", (160, 120))];
+/// The size of pictures of other folders' scenes.
+const SIZE: (u32, u32) = (320, 240);
 const IMAGES: &str = "reference-images";
 
 pub struct Project {
     root: PathBuf,
+    /// Below the root, with `/`.
+    folders: Vec<(String, (u32, u32))>,
+    keep: PathBuf,
 }
 
 /// A scene and its pictures.
@@ -27,7 +33,8 @@ pub struct Entry {
 
 impl Project {
     /// The folder given, or the nearest one above that has stored pictures.
-    pub fn find(given: Option<&Path>) -> Result<Project, Failure> {
+    pub fn find(args: &GoldenArgs) -> Result<Project, Failure> {
+        let given = args.root.as_deref();
         let here =
             std::env::current_dir().map_err(|e| Failure::unavailable(format!("current folder: {e}")))?;
         let above = || here.ancestors().find(|f| f.join(IMAGES).is_dir()).map(Path::to_owned);
@@ -39,19 +46,23 @@ impl Project {
         })?;
         let root =
             root.canonicalize().map_err(|e| Failure::unavailable(format!("{}: {e}", root.display())))?;
-        Ok(Project { root })
+        let fixed = || FOLDERS.map(|(folder, size)| (folder.to_owned(), size)).to_vec();
+        let named = args.scenes.iter().map(|f| named_folder(&root, f)).collect::<Result<Vec<_>, _>>()?;
+        let folders = if named.is_empty() { fixed() } else { named };
+        let keep = args.keep.clone().unwrap_or_else(|| root.join("target").join("golden"));
+        Ok(Project { root, folders, keep })
     }
 
     /// The scenes named, or all.
     pub fn entries(&self, names: &[String]) -> Result<Vec<Entry>, Failure> {
         let mut entries = Vec::new();
-        for (folder, size) in FOLDERS {
+        for (folder, size) in &self.folders {
             let path = self.root.join(folder);
             let mut scenes = Vec::new();
             if path.is_dir() {
                 search(&path, &path, &mut scenes)?;
             }
-            entries.extend(scenes.into_iter().map(|scene| self.entry(folder, size, scene)));
+            entries.extend(scenes.into_iter().map(|scene| self.entry(folder, *size, scene)));
         }
         let all = entries.len();
         entries.retain(|e| names.is_empty() || names.iter().any(|n| is_named(&e.name, n)));
@@ -74,11 +85,20 @@ impl Project {
         }
     }
 
+    /// Whether anybody has made POV-Ray's pictures.
+    pub fn has_reference(&self) -> bool {
+        self.root.join(IMAGES).join("povray").is_dir()
+    }
+
     /// Stored pictures that belong to none of the scenes.
     pub fn orphans(&self, entries: &[Entry]) -> Result<Vec<PathBuf>, Failure> {
         let owned: HashSet<&Path> =
             entries.iter().flat_map(|e| [e.golden.as_path(), e.povray.as_path()]).collect();
-        let mut open: Vec<_> = ["glint", "povray"].iter().map(|f| self.root.join(IMAGES).join(f)).collect();
+        let images = |made_by: &str| {
+            let folder = self.root.join(IMAGES).join(made_by);
+            self.folders.iter().map(move |(f, _)| folder.join(f)).collect::<Vec<_>>()
+        };
+        let mut open = [images("glint"), images("povray")].concat();
         open.retain(|folder| folder.is_dir());
         let mut orphans = Vec::new();
         while let Some(folder) = open.pop() {
@@ -98,7 +118,7 @@ impl Project {
 
     /// Keeps a picture that differs, and its difference, where they can be looked at.
     pub fn leave_evidence(&self, entry: &Entry, png: &[u8], difference: &[u8]) -> Result<PathBuf, String> {
-        let base = self.root.join("target").join("golden").join(Path::new(&entry.name).with_extension(""));
+        let base = self.keep.join(Path::new(&entry.name).with_extension(""));
         let write = |ending: &str, bytes: &[u8]| {
             let mut name = base.clone().into_os_string();
             name.push(ending);
@@ -109,6 +129,16 @@ impl Project {
         write(".difference.png", difference)?;
         write(".png", png)
     }
+}
+
+/// A folder of the project by its path below the root.
+fn named_folder(root: &Path, folder: &Path) -> Result<(String, (u32, u32)), Failure> {
+    let lost = || Failure::unavailable(format!("--scenes {}: no folder of the project", folder.display()));
+    let path = root.join(folder).canonicalize().ok().filter(|p| p.is_dir()).ok_or_else(lost)?;
+    let below = path.strip_prefix(root).map_err(|_| lost())?.to_string_lossy().replace('\\', "/");
+    let known = FOLDERS.iter().find(|(name, _)| *name == below);
+    let size = known.map_or(SIZE, |(_, size)| *size);
+    Ok((below, size))
 }
 
 /// A scene is named by its path with or without `.pov`, from any folder on, or by a folder.
