@@ -53,13 +53,46 @@ impl Shear {
         Vec2::new(p[self.axes[0]] - self.slope.x * depth, p[self.axes[1]] - self.slope.y * depth)
     }
 
+    /// [`Shear::project`] of a corner in single precision, for a ray from `origin`: the same arithmetic.
+    #[inline(always)]
+    fn project_corner(&self, corner: &[f32; 3], origin: &[f64; 3]) -> Vec2 {
+        let [x, y, z] = self.axes;
+        let depth = f64::from(corner[z]) - origin[z];
+        Vec2::new(
+            (f64::from(corner[x]) - origin[x]) - self.slope.x * depth,
+            (f64::from(corner[y]) - origin[y]) - self.slope.y * depth,
+        )
+    }
+
+    /// [`Shear::weights`] of corners in single precision, for a ray from `origin`.
+    #[inline(always)]
+    pub fn weights_of(&self, corners: [&[f32; 3]; 3], origin: &[f64; 3]) -> Option<Vec3> {
+        let [a, b, c] = corners;
+        Self::inside(
+            self.project_corner(a, origin),
+            self.project_corner(b, origin),
+            self.project_corner(c, origin),
+        )
+    }
+
     /// The weights of the corners (relative to the ray's origin) where the ray passes, if it passes inside.
     pub fn weights(&self, corners: [Vec3; 3]) -> Option<Vec3> {
         let [a, b, c] = corners.map(|p| self.project(p));
-        let w = Vec3::new(c.perp_dot(b), a.perp_dot(c), b.perp_dot(a));
-        let outside = w.cmplt(Vec3::ZERO).any() && w.cmpgt(Vec3::ZERO).any();
-        let sum = w.element_sum();
-        (!outside && sum != 0.0 && sum.is_finite()).then(|| w / sum)
+        Self::inside(a, b, c)
+    }
+
+    #[inline(always)]
+    fn inside(a: Vec2, b: Vec2, c: Vec2) -> Option<Vec3> {
+        let (u, v) = (c.perp_dot(b), a.perp_dot(c));
+        if (u < 0.0 && v > 0.0) || (u > 0.0 && v < 0.0) {
+            return None;
+        }
+        let w = b.perp_dot(a);
+        if (w < 0.0 && (u > 0.0 || v > 0.0)) || (w > 0.0 && (u < 0.0 || v < 0.0)) {
+            return None;
+        }
+        let sum = u + v + w;
+        (sum != 0.0 && sum.is_finite()).then(|| Vec3::new(u, v, w) / sum)
     }
 }
 

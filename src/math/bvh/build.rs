@@ -19,7 +19,7 @@ impl Quality {
     fn parameters(self) -> BvhBuildParams {
         match self {
             Quality::Best => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::medium_build() },
-            Quality::Fast => BvhBuildParams { max_prims_per_leaf: 4, ..BvhBuildParams::fast_build() },
+            Quality::Fast => BvhBuildParams { max_prims_per_leaf: 2, ..BvhBuildParams::fast_build() },
         }
     }
 }

@@ -110,9 +110,13 @@ impl Mesh {
     }
 
     /// Distance to a face that the ray passes, and its corners' weights.
+    #[inline]
     fn pass(&self, face: usize, ray: &Ray, shear: &Shear) -> Option<(f64, Vec3)> {
-        let [a, b, c] = self.corners(face).map(|p| p - ray.origin);
-        let weights = shear.weights([a, b, c])?;
+        let [a, b, c] = self.faces[face];
+        let corner = |v: u32| &self.vertices[v as usize];
+        let (a, b, c) = (corner(a), corner(b), corner(c));
+        let weights = shear.weights_of([a, b, c], ray.origin.as_ref())?;
+        let (a, b, c) = (wide(*a) - ray.origin, wide(*b) - ray.origin, wide(*c) - ray.origin);
         Some((plane_distance(a, b, c, ray.dir)?, weights))
     }
 
