@@ -116,8 +116,8 @@ impl Way {
         if *m == DMat3::IDENTITY {
             return Way::Moved;
         }
-        let length = m.x_axis.length();
-        let turn = *m * length.recip();
+        let length = exact_length(m);
+        let turn = DMat3::from_cols(m.x_axis / length, m.y_axis / length, m.z_axis / length);
         let even = [turn.x_axis, turn.y_axis, turn.z_axis].iter().all(|c| (c.length() - 1.0).abs() <= SAME);
         let square = [(turn.x_axis, turn.y_axis), (turn.y_axis, turn.z_axis), (turn.z_axis, turn.x_axis)];
         if even && square.iter().all(|(a, b)| a.dot(*b).abs() <= SAME) {
@@ -125,6 +125,18 @@ impl Way {
         } else {
             Way::General
         }
+    }
+}
+
+/// The length of a column, without rounding if one lies along an axis or the length is 1: a box turned about
+/// y and set on a plane has its lower face exactly in the plane, and keeps it there.
+fn exact_length(m: &DMat3) -> f64 {
+    let along_an_axis = |c: &Vec3| (c.x == 0.0) as u8 + (c.y == 0.0) as u8 + (c.z == 0.0) as u8 == 2;
+    let columns = [m.x_axis, m.y_axis, m.z_axis];
+    match columns.iter().find(|&c| along_an_axis(c)) {
+        Some(c) => c.abs().max_element(),
+        None if (m.x_axis.length() - 1.0).abs() <= SAME => 1.0,
+        None => m.x_axis.length(),
     }
 }
 
@@ -157,6 +169,15 @@ mod tests {
             let (p, n) = (place.point(o, 0.0, ray.dir).0, place.normal(ray.dir));
             prop_assert!(p.distance(t.point(o)) <= 1e-14 * (1.0 + p.length()));
             prop_assert!(n.distance(t.normal(ray.dir).normalize()) <= 1e-14);
+        }
+    }
+
+    #[test]
+    fn faces_that_lie_along_an_axis_stay_there() {
+        for (size, angle) in [(1.0, 40.0), (0.3, -17.0), (7.0, 123.4)] {
+            let t = Transform::scale(Vec3::splat(size)).then(&Transform::rotate(angle * Vec3::Y));
+            let ray = Ray::new(Vec3::new(0.3, 5.0, -2.0), Vec3::new(0.2, -0.7, 0.4).normalize());
+            assert_eq!(Placement::new(t).inverse_ray(&ray).0.dir.y, ray.dir.y, "{size} {angle}");
         }
     }
 
