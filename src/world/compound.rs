@@ -385,12 +385,13 @@ impl Compound {
             if lists.found.len() > before {
                 (before..lists.found.len()).for_each(|_| owners.push(i as u32));
                 constant.push(Constant::Crossed);
-            } else if child.contains(geometry, probe.start(range)) {
-                constant.push(Constant::Unknown);
-            } else {
-                // Outside at the start, and never in.
+            } else if geometry.is_upright_leaf(child.solid) && !child.contains(geometry, probe.middle(range))
+            {
+                // Outside in the middle, and all the way.
                 lists.found.truncate(first);
                 return None;
+            } else {
+                constant.push(Constant::Unknown);
             }
         }
         (!owners.is_empty()).then_some(Candidates { first, owners, constant })

@@ -339,6 +339,12 @@ impl Geometry {
         }
     }
 
+    /// Whether this is one shape as it is. Of inverted ones the points on both sides of a face count as outside,
+    /// so that rays along the face would seem to stay outside.
+    pub fn is_upright_leaf(&self, solid: Solid) -> bool {
+        matches!(solid, Solid::Leaf(i) if !self.leaves[i as usize].inverted)
+    }
+
     pub fn contains(&self, solid: Solid, p: Vec3) -> bool {
         match solid {
             Solid::Leaf(i) => {

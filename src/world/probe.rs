@@ -46,9 +46,19 @@ impl<'r> Probe<'r> {
         Self { ray, origin, inverse: dir.recip(), pad }
     }
 
-    /// A point where `range` begins, or the origin if it begins nowhere.
-    pub fn start(&self, range: Range) -> Vec3 {
-        if range.min.is_finite() { self.ray.at(range.min) } else { self.ray.origin }
+    /// A point well inside `range`.
+    pub fn middle(&self, range: Range) -> Vec3 {
+        match (range.min.is_finite(), range.max.is_finite()) {
+            (true, true) => self.ray.at(0.5 * (range.min + range.max)),
+            (true, false) => self.ray.at(range.min + self.far()),
+            (false, true) => self.ray.at(range.max - self.far()),
+            (false, false) => self.ray.origin,
+        }
+    }
+
+    /// A step that rounding does not swallow.
+    fn far(&self) -> f64 {
+        1.0 + self.ray.origin.abs().max_element()
     }
 
     /// Whether the ray may meet a box; true when in doubt.

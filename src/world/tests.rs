@@ -200,3 +200,24 @@ fn bounds_cut_combinations_ray_by_ray_and_leave_other_shapes() {
         assert!(ObjectQuery::new(&ball).trace(&ray).is_some());
     }
 }
+
+/// A box stands in the hollow of another, face on face: rays that leave the inner one along or away from the
+/// shared face see the frame around it.
+#[test]
+fn a_ray_that_starts_on_a_shared_face_sees_the_frame() {
+    let cut = |x: f64, y: f64, z: f64| {
+        let reach = Vec3::new(x, y, z);
+        shape(Cuboid::new(-reach, reach))
+    };
+    let frame = csg(
+        CsgOp::Difference,
+        &[&cut(0.5, 0.5, 0.5), &cut(0.45, 0.45, 1.0), &cut(1.0, 0.45, 0.45), &cut(0.45, 1.0, 0.45)],
+    );
+    let flat = Flattened::new(&[Arc::new(frame)]);
+    let start = Vec3::new(0.1, 0.2, -0.45 - 1e-16);
+    for direction in [Vec3::new(1.0, 0.0, -0.01), Vec3::new(1.0, 0.0, -0.001), Vec3::new(1.0, 0.0, -0.1)] {
+        let ray = Ray::new(start, direction.normalize());
+        let found = flat.geometry.nearest(&ray, Range::FORWARD, RayClass::Image);
+        assert!((found.expect("the frame").t - 0.35).abs() < 0.01, "{direction}");
+    }
+}
