@@ -53,7 +53,9 @@ impl PackedPhoton {
         if exponent == 0 {
             return Rgb::ZERO;
         }
-        let unit = (f32::from(exponent) - EXPONENT_SHIFT as f32 - 8.0).exp2();
+        // The power of two, by its bits.
+        let power = i64::from(exponent) - i64::from(EXPONENT_SHIFT) - 8;
+        let unit = f64::from_bits(((power + 1023) as u64) << 52) as f32;
         Rgb::new(f32::from(r), f32::from(g), f32::from(b)) * unit
     }
 

@@ -17,6 +17,6 @@ impl Sampler for Tracer<'_> {
 
     fn rays(&self) -> u64 {
         let c = self.counters();
-        c.camera_rays + c.shadow_rays + c.reflected_rays + c.refracted_rays
+        c.camera_rays + c.shadow_rays + c.reflected_rays + c.refracted_rays + c.gather_rays
     }
 }

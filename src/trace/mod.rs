@@ -67,6 +67,10 @@ pub struct Counters {
     pub shadow_rays: u64,
     pub reflected_rays: u64,
     pub refracted_rays: u64,
+    /// Over hemispheres, for diffuse light between surfaces.
+    pub gather_rays: u64,
+    /// Shot from lights.
+    pub photons: u64,
     /// Colours of surfaces that came out as no numbers, and were drawn black.
     pub not_numbers: u64,
 }
@@ -86,5 +90,7 @@ impl std::ops::AddAssign for Counters {
         self.reflected_rays += o.reflected_rays;
         self.refracted_rays += o.refracted_rays;
         self.not_numbers += o.not_numbers;
+        self.gather_rays += o.gather_rays;
+        self.photons += o.photons;
     }
 }

@@ -146,6 +146,8 @@ impl<'a> Job<'a> {
             reflected_rays: counters.reflected_rays,
             refracted_rays: counters.refracted_rays,
             not_numbers: counters.not_numbers,
+            gather_rays: counters.gather_rays,
+            photons: counters.photons,
             peak_rss_bytes: peak_rss_bytes(),
             adaptive,
             warnings: parsed.warnings,

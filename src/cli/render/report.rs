@@ -25,6 +25,10 @@ pub struct RenderReport {
     pub refracted_rays: u64,
     /// Colours that came out as no numbers, and were drawn black.
     pub not_numbers: u64,
+    /// For diffuse light between surfaces.
+    pub gather_rays: u64,
+    /// Shot from lights.
+    pub photons: u64,
     pub peak_rss_bytes: u64,
     /// What adaptive sampling came to; null for other methods.
     pub adaptive: Option<Reached>,
@@ -35,7 +39,8 @@ pub struct RenderReport {
 impl RenderReport {
     /// The line on stderr.
     pub fn line(&self) -> String {
-        let rays = self.camera_rays + self.shadow_rays + self.reflected_rays + self.refracted_rays;
+        let seen = self.camera_rays + self.reflected_rays + self.refracted_rays + self.gather_rays;
+        let rays = seen + self.shadow_rays + self.photons;
         let reached = self.adaptive.as_ref().map_or(String::new(), |r| format!("; {}", r.text()));
         format!(
             "{} -> {} ({}x{}): parse {:.3} s, prepare {:.3} s, trace {:.3} s, write {:.3} s of CPU; {}{reached}",

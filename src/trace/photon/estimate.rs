@@ -7,9 +7,10 @@ use super::super::direct::Look;
 use super::super::media::Stretch;
 use super::super::shade::Site;
 use super::super::tracer::Tracer;
-use super::map::Nearby;
+use super::{Nearby, Photons};
 use crate::color::Rgb;
 use crate::math::Vec3;
+use crate::world::RayClass;
 use std::f64::consts::PI;
 
 /// Photons that graze the surface count as if they came from no less than this cosine.
@@ -34,18 +35,25 @@ impl Tracer<'_> {
             Some(nearby) => nearby,
             None => self.photons_around(site.hit.point, look.normal),
         };
-        let mut sum = Rgb::ZERO;
-        for &(_, place) in &nearby.members {
-            let photon = &photons.surface.photons()[place as usize];
-            let towards = photon.towards();
-            let Some(behind) = look.is_lit_from_behind(towards, site.hit.double_illuminate) else { continue };
-            let cosine = site.facing.dot(towards).clamp(LEAST_COSINE, 1.0);
-            let light = photon.energy() / cosine as f32;
-            sum += self.answer(site, look, towards, light, behind, false);
-        }
+        let shines = (f.phong > 0.0 || f.specular > 0.0) && site.path.class != RayClass::Radiosity;
+        let plain = !shines && f.irid == 0.0 && f.crand == 0.0 && f.brilliance == 1.0;
+        let sum = if plain && !self.is_translucent(look) {
+            diffused(&photons, &nearby, site, look)
+        } else {
+            self.answered(&photons, &nearby, site, look)
+        };
         let area = PI * nearby.radius * nearby.radius;
         site.photons.set(Some(nearby));
         sum / area as f32
+    }
+
+    /// Each photon as a light of its own.
+    fn answered(&mut self, photons: &Photons, nearby: &Nearby, site: &Site, look: &Look) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        for (towards, light, behind) in lights(photons, nearby, site, look) {
+            sum += self.answer(site, look, towards, light, behind, false);
+        }
+        sum
     }
 
     /// The photons that count at a point of a surface; where they are too few, those from farther around.
@@ -89,4 +97,30 @@ impl Tracer<'_> {
         self.spare_nearby.push(nearby);
         sum / volume as f32
     }
+}
+
+/// Direction and light of each photon that reaches the layer, and whether it does so from behind.
+fn lights<'a>(
+    photons: &'a Photons,
+    nearby: &'a Nearby,
+    site: &'a Site,
+    look: &'a Look,
+) -> impl Iterator<Item = (Vec3, Rgb, bool)> + 'a {
+    nearby.members.iter().filter_map(|&(_, place)| {
+        let photon = &photons.surface.photons()[place as usize];
+        let towards = photon.towards();
+        let behind = look.is_lit_from_behind(towards, site.hit.double_illuminate)?;
+        let cosine = site.facing.dot(towards).clamp(LEAST_COSINE, 1.0);
+        Some((towards, photon.energy() / cosine as f32, behind))
+    })
+}
+
+/// The answer of a layer that only reflects diffusely.
+fn diffused(photons: &Photons, nearby: &Nearby, site: &Site, look: &Look) -> Rgb {
+    let mut sum = Rgb::ZERO;
+    for (towards, light, behind) in lights(photons, nearby, site, look) {
+        let share = if behind { look.finish.diffuse_back } else { look.finish.diffuse };
+        sum += light * (look.normal.dot(towards).abs() as f32 * share.max(0.0));
+    }
+    look.color * sum * look.opacity
 }

@@ -51,6 +51,7 @@ struct Arrival<'a> {
 impl Tracer<'_> {
     /// Follows one photon to its end. `media` gives the draws for places in media, if photons stay there.
     pub(super) fn follow(&mut self, shot: &Shot, aim: &Aim, media: Option<&mut Stream>, landed: &mut Landed) {
+        self.counters.photons += 1;
         let source = &self.world.lights[aim.light];
         let (mut ray, mut travelled) = (shot.ray, 0.0);
         if let Some(projector) = source.projected_through {

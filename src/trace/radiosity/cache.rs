@@ -128,6 +128,7 @@ impl Cell {
 struct Head {
     point: Vec3,
     radius: f32,
+    normal: glam::Vec3,
     /// Place in `Cache::samples`.
     place: u32,
 }
@@ -188,17 +189,24 @@ impl Cache {
         }
         let root = self.root.map_or(cell, |root| root.joined(cell));
         self.root = Some(root);
-        let head = Head { point: sample.point, radius: sample.radius, place: self.samples.len() as u32 };
+        let head = Head {
+            point: sample.point,
+            radius: sample.radius,
+            normal: sample.normal.as_vec3(),
+            place: self.samples.len() as u32,
+        };
         self.samples.push(sample);
         self.trees[depth].insert(cell, head);
     }
 
-    /// Calls `visit` with the samples of `depth` that are seen from `p` and whose radius times `bound`
-    /// reaches it.
-    pub fn around(&self, p: Vec3, depth: u32, bound: f64, mut visit: impl FnMut(&Sample)) {
+    /// Calls `visit` with the samples of `depth` that are seen from `p`, whose radius times `bound` reaches it
+    /// and whose normals are near enough to `normal`; a few others may be among them.
+    pub fn around(&self, p: Vec3, normal: Vec3, depth: u32, bound: f64, mut visit: impl FnMut(&Sample)) {
         let Some(tree) = self.trees.get(depth as usize) else { return };
         let Some(root) = tree.nodes.get(tree.root as usize) else { return };
-        let search = Search { p, shifted: p + CORNER, bound };
+        // An error of 2 sqrt(1 - cosine) must stay below the bound.
+        let cosine = (1.0 - 0.25 * bound * bound - ROUNDING) as f32;
+        let search = Search { p, shifted: p + CORNER, bound, normal: normal.as_vec3(), cosine };
         let inside = root.cell.holds(search.shifted);
         if inside {
             self.visit_children(tree, root, &search, &mut visit);
@@ -222,7 +230,9 @@ impl Cache {
     fn visit_samples(&self, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
         for head in node.samples.iter().rev() {
             let reach = f64::from(head.radius) * search.bound;
-            if search.p.distance_squared(head.point) < reach * reach {
+            if search.p.distance_squared(head.point) < reach * reach
+                && search.normal.dot(head.normal) > search.cosine
+            {
                 visit(&self.samples[head.place as usize]);
             }
         }
@@ -235,7 +245,13 @@ struct Search {
     /// The same counted from the corner.
     shifted: Vec3,
     bound: f64,
+    normal: glam::Vec3,
+    /// The least cosine between normals.
+    cosine: f32,
 }
+
+/// Of single-precision cosines.
+const ROUNDING: f64 = 1e-6;
 
 impl Tree {
     fn insert(&mut self, cell: Cell, head: Head) {
@@ -316,11 +332,11 @@ mod tests {
         for &(p, reach) in &places {
             for shift in [Vec3::X, -Vec3::Y, Vec3::Z, Vec3::splat(-0.57)] {
                 let mut found = false;
-                cache.around(p + 0.999 * reach * shift, 0, 1.0, |s| found |= s.point == p);
+                cache.around(p + 0.999 * reach * shift, Vec3::Y, 0, 1.0, |s| found |= s.point == p);
                 assert!(found, "{p} {reach}");
             }
         }
-        cache.around(Vec3::ZERO, 1, 1.0, |_| panic!("no sample has that depth"));
+        cache.around(Vec3::ZERO, Vec3::Y, 1, 1.0, |_| panic!("no sample has that depth"));
     }
 
     #[test]
@@ -329,7 +345,7 @@ mod tests {
         cache.insert(sample(Vec3::ZERO, 0.5));
         cache.insert(sample(Vec3::splat(1000.0), 0.5));
         let mut count = 0;
-        cache.around(Vec3::splat(999.9), 0, 1.0, |_| count += 1);
+        cache.around(Vec3::splat(999.9), Vec3::Y, 0, 1.0, |_| count += 1);
         assert_eq!(count, 1);
     }
 }

@@ -75,6 +75,7 @@ impl Tracer<'_> {
 
     /// One ray; `share` is its place among the `count` rays, 0 to 1.
     fn gather_ray(&mut self, ray: &Ray, path: &Path, share: f64, count: usize, sums: &mut Sums) {
+        self.counters.gather_rays += 1;
         let hit = self.world.nearest(ray, Range::FORWARD, RayClass::Radiosity);
         sums.add_distance(hit.as_ref().map_or(f64::INFINITY, |h| h.t), ray.dir);
         let importance = self.importance(hit.as_ref());

@@ -90,8 +90,8 @@ impl Radiosity {
                 }
             }
         };
-        self.lighting.cache.around(p, depth, bound, &mut add);
-        self.own.around(p, depth, bound, &mut add);
+        self.lighting.cache.around(p, query.normal, depth, bound, &mut add);
+        self.own.around(p, query.normal, depth, bound, &mut add);
         blend
     }
 }
