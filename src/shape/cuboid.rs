@@ -23,25 +23,43 @@ impl Cuboid {
         Self { extent: Aabb::new(a, b) }
     }
 
-    /// Whether the line passes by so clearly that no rounding matters. Most lines do.
-    fn is_plainly_missed(&self, ray: &Ray) -> bool {
-        let inverse = ray.dir.recip();
-        let a = (self.extent.min - ray.origin) * inverse;
-        let b = (self.extent.max - ray.origin) * inverse;
-        let (enter, leave) = (a.min(b).max_element(), a.max(b).min_element());
-        enter - leave > 1e-6 * (enter.abs() + leave.abs())
-    }
-
     /// Entry and exit of a line, in this order.
+    #[inline]
     pub(super) fn ends(&self, ray: &Ray) -> Option<[Crossing; 2]> {
-        if self.is_plainly_missed(ray) {
+        let x = slab(ray.origin.x, ray.dir.x, self.extent.min.x, self.extent.max.x)?;
+        let y = slab(ray.origin.y, ray.dir.y, self.extent.min.y, self.extent.max.y)?;
+        let z = slab(ray.origin.z, ray.dir.z, self.extent.min.z, self.extent.max.z)?;
+        let later = |a: f64, b: f64| if a > b { a } else { b };
+        let sooner = |a: f64, b: f64| if a < b { a } else { b };
+        let (first, last) = (later(later(x.0, y.0), z.0), sooner(sooner(x.1, y.1), z.1));
+        // Most lines pass by so clearly that no tie matters.
+        if first - last > 1e-6 * (first.abs() + last.abs()) {
             return None;
         }
+        let clear = 1e-9 * (first.abs() + last.abs());
+        let (a, b) =
+            (sole([x.0, y.0, z.0], |t| t >= first - clear), sole([x.1, y.1, z.1], |t| t <= last + clear));
+        match (a, b) {
+            (Some(enter), Some(leave)) if first <= last => {
+                Some(Self::crossings_at(ray, (first, enter), (last, leave)))
+            }
+            _ => Self::chosen(ray, [x, y, z]),
+        }
+    }
+
+    #[inline]
+    fn crossings_at(ray: &Ray, enter: (f64, usize), leave: (f64, usize)) -> [Crossing; 2] {
+        let entry_part = 2 * enter.1 + usize::from(ray.dir[enter.1] < 0.0);
+        let exit_part = 2 * leave.1 + usize::from(ray.dir[leave.1] > 0.0);
+        [Crossing::on_part(enter.0, entry_part as u32), Crossing::on_part(leave.0, exit_part as u32)]
+    }
+
+    /// The sides that show at entry and exit, of the slabs of the three axes.
+    fn chosen(ray: &Ray, slabs: [(f64, f64); 3]) -> Option<[Crossing; 2]> {
         let mut enter = (f64::NEG_INFINITY, 0);
         let mut leave = (f64::INFINITY, 0);
-        for axis in 0..3 {
+        for (axis, (near, far)) in slabs.into_iter().enumerate() {
             let speed = ray.dir[axis];
-            let (near, far) = slab(ray.origin[axis], speed, self.extent.min[axis], self.extent.max[axis])?;
             let squarer = |other: usize| speed.abs() > ray.dir[other].abs();
             if wins(near, enter.0, squarer(enter.1)) {
                 enter = (near, axis);
@@ -50,12 +68,18 @@ impl Cuboid {
                 leave = (far, axis);
             }
         }
-        let entry_part = 2 * enter.1 + usize::from(ray.dir[enter.1] < 0.0);
-        let exit_part = 2 * leave.1 + usize::from(ray.dir[leave.1] > 0.0);
-        (enter.0 <= leave.0).then_some([
-            Crossing::on_part(enter.0, entry_part as u32),
-            Crossing::on_part(leave.0, exit_part as u32),
-        ])
+        (enter.0 <= leave.0).then(|| Self::crossings_at(ray, enter, leave))
+    }
+}
+
+/// The axis whose number alone passes the test.
+#[inline]
+fn sole(numbers: [f64; 3], passes: impl Fn(f64) -> bool) -> Option<usize> {
+    match (passes(numbers[0]), passes(numbers[1]), passes(numbers[2])) {
+        (true, false, false) => Some(0),
+        (false, true, false) => Some(1),
+        (false, false, true) => Some(2),
+        _ => None,
     }
 }
 

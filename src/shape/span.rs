@@ -47,6 +47,7 @@ pub(super) fn tie(a: f64, b: f64) -> f64 {
 }
 
 /// Where a coordinate that starts at `origin` and changes by `speed` lies in `min..=max`.
+#[inline]
 pub(super) fn slab(origin: f64, speed: f64, min: f64, max: f64) -> Option<(f64, f64)> {
     if speed == 0.0 {
         return (origin >= min && origin <= max).then_some((f64::NEG_INFINITY, f64::INFINITY));

@@ -1,10 +1,14 @@
 use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
-use crate::math::{Range, Ray};
+use crate::math::{Range, Ray, Vec3};
 
 /// Relative error of a slab distance in single precision: direction, reciprocal, difference, product.
 const SLACK: f32 = 8.0 * f32::EPSILON;
-/// Components below this count as this: their slab distances exceed any tree's size either way.
-const SMALLEST_COMPONENT: f64 = 1e-18;
+/// Reciprocals of components are cut off here: slab distances then exceed any tree's size either way.
+const LARGEST_INVERSE: f64 = 1e18;
+/// Bound on the relative rounding of the move into the tree's coordinates.
+const ROUNDING: f64 = 4.01 * f64::EPSILON;
+/// Bound on the relative rounding of a coordinate to single precision and of its distance from a side.
+const SINGLE_ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
 /// Room for waiting children that a ray sets aside without asking for memory; deeper trees ask.
 const STACK: usize = 96;
@@ -14,9 +18,9 @@ const SMALL_STACK: usize = 16;
 /// A ray in the tree's coordinates, with its rounding bounds worked in.
 struct Setup {
     /// Where slab distances are measured from: moved back for near planes, forward for far ones.
-    near_origin: [f32; 3],
-    far_origin: [f32; 3],
-    inverse: [f32; 3],
+    near_origin: [f32; 4],
+    far_origin: [f32; 4],
+    inverse: [f32; 4],
     /// Which of a node's six bounds is the near plane of each axis, and the far one.
     near_plane: [usize; 3],
     far_plane: [usize; 3],
@@ -82,55 +86,104 @@ impl Bvh {
 
     #[inline]
     fn setup(&self, ray: &Ray, range: Range) -> Option<Setup> {
-        let dir =
-            ray.dir.map(|d| if d.abs() < SMALLEST_COMPONENT { SMALLEST_COMPONENT.copysign(d) } else { d });
-        let inverse = dir.recip();
-        let advance = self.entry(ray, range)?;
-        let o = (ray.origin + advance * ray.dir - self.center) * self.scale;
-        // What rounding in the move and the shift cost, in the tree's units.
-        let reach = ray.origin.abs() + (self.center.abs() + advance);
-        let pad = reach * (4.01 * f64::EPSILON * self.scale) + o.abs() * (4.0 * f64::from(f32::EPSILON));
-        let mut setup = Setup {
-            near_origin: [0.0; 3],
-            far_origin: [0.0; 3],
-            inverse: inverse.as_vec3().to_array(),
-            near_plane: [0; 3],
-            far_plane: [0; 3],
-            advance,
-        };
-        for axis in 0..3 {
-            let (origin, pad) = (o[axis] as f32, pad[axis] as f32 + f32::MIN_POSITIVE);
-            let pad = pad.copysign(setup.inverse[axis]);
-            setup.near_origin[axis] = origin + pad;
-            setup.far_origin[axis] = origin - pad;
-            let backward = usize::from(setup.inverse[axis].is_sign_negative());
-            setup.near_plane[axis] = axis + 3 * backward;
-            setup.far_plane[axis] = axis + 3 - 3 * backward;
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been seen to have what `setup_avx2` is compiled for.
+            #[allow(unsafe_code)]
+            return unsafe { self.setup_avx2(ray, range) };
         }
-        Some(setup)
+        self.setup_plain(ray, range)
     }
 
-    /// How far to move the ray before rounding it: to where it enters the box of everything, or 0 when it
-    /// starts inside. `None` if it misses that box.
-    #[inline]
-    fn entry(&self, ray: &Ray, range: Range) -> Option<f64> {
-        let (mut near, mut far) = (range.min, range.max);
+    fn setup_plain(&self, ray: &Ray, range: Range) -> Option<Setup> {
         // Infinite for 0, which the pad keeps from meeting another 0.
         let inverse = ray.dir.recip();
         let pad = ray.origin.abs() * (2.0 * f64::EPSILON) + f64::MIN_POSITIVE;
         let a = (self.bounds.min - pad - ray.origin) * inverse;
         let b = (self.bounds.max + pad - ray.origin) * inverse;
-        for axis in 0..3 {
-            let (lo, hi) = if inverse[axis] > 0.0 { (a[axis], b[axis]) } else { (b[axis], a[axis]) };
-            near = if lo > near { lo } else { near };
-            far = if hi < far { hi } else { far };
-        }
-        let slack = 8.0 * f64::EPSILON * (near.abs() + far.abs());
-        if near > far + slack || near == f64::INFINITY {
-            return None;
-        }
-        Some(if near > 0.0 && near.is_finite() { near } else { 0.0 })
+        let advance = entry(a.min(b).max_element(), a.max(b).min_element(), range)?;
+        let o = (ray.origin + advance * ray.dir - self.center) * self.scale;
+        let reach = ray.origin.abs() + (self.center.abs() + advance);
+        let pad = reach * (ROUNDING * self.scale) + o.abs() * SINGLE_ROUNDING;
+        let inverse = inverse.clamp(Vec3::splat(-LARGEST_INVERSE), Vec3::splat(LARGEST_INVERSE)).as_vec3();
+        let pad = (pad.as_vec3() + f32::MIN_POSITIVE).copysign(inverse);
+        let o = o.as_vec3();
+        let (near, far) = ((o + pad).extend(0.0), (o - pad).extend(0.0));
+        Some(Setup::new(near.to_array(), far.to_array(), inverse.extend(1.0).to_array(), advance))
     }
+
+    /// [`Bvh::setup_plain`], all axes at once.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn setup_avx2(&self, ray: &Ray, range: Range) -> Option<Setup> {
+        use std::arch::x86_64::*;
+        let four = |v: Vec3, w: f64| _mm256_set_pd(w, v.z, v.y, v.x);
+        let all = |x: f64| _mm256_set1_pd(x);
+        let sign = all(-0.0);
+        // The fourth place is a slab without ends.
+        let (origin, dir, center) = (four(ray.origin, 0.0), four(ray.dir, 1.0), four(self.center, 0.0));
+        let size = _mm256_andnot_pd(sign, origin);
+        let inverse = _mm256_div_pd(all(1.0), dir);
+        let pad = _mm256_add_pd(_mm256_mul_pd(size, all(2.0 * f64::EPSILON)), all(f64::MIN_POSITIVE));
+        let low = _mm256_sub_pd(_mm256_sub_pd(four(self.bounds.min, f64::NEG_INFINITY), pad), origin);
+        let high = _mm256_sub_pd(_mm256_add_pd(four(self.bounds.max, f64::INFINITY), pad), origin);
+        let (a, b) = (_mm256_mul_pd(low, inverse), _mm256_mul_pd(high, inverse));
+        let (near, far) = (_mm256_min_pd(a, b), _mm256_max_pd(a, b));
+        let near = _mm_max_pd(_mm256_castpd256_pd128(near), _mm256_extractf128_pd::<1>(near));
+        let far = _mm_min_pd(_mm256_castpd256_pd128(far), _mm256_extractf128_pd::<1>(far));
+        let near = _mm_cvtsd_f64(_mm_max_sd(near, _mm_unpackhi_pd(near, near)));
+        let far = _mm_cvtsd_f64(_mm_min_sd(far, _mm_unpackhi_pd(far, far)));
+        let advance = entry(near, far, range)?;
+        let moved = _mm256_add_pd(origin, _mm256_mul_pd(all(advance), dir));
+        let o = _mm256_mul_pd(_mm256_sub_pd(moved, center), all(self.scale));
+        let reach = _mm256_add_pd(size, _mm256_add_pd(_mm256_andnot_pd(sign, center), all(advance)));
+        let cost = _mm256_mul_pd(reach, all(ROUNDING * self.scale));
+        let single = _mm256_mul_pd(_mm256_andnot_pd(sign, o), all(SINGLE_ROUNDING));
+        let pad = _mm256_cvtpd_ps(_mm256_add_pd(cost, single));
+        let inverse = _mm256_min_pd(_mm256_max_pd(inverse, all(-LARGEST_INVERSE)), all(LARGEST_INVERSE));
+        let (inverse, o) = (_mm256_cvtpd_ps(inverse), _mm256_cvtpd_ps(o));
+        let pad = _mm_add_ps(pad, _mm_set1_ps(f32::MIN_POSITIVE));
+        let pad = _mm_or_ps(pad, _mm_and_ps(inverse, _mm_set1_ps(-0.0)));
+        let (near, far) = (_mm_add_ps(o, pad), _mm_sub_ps(o, pad));
+        let mut rows = [[0f32; 4]; 3];
+        // SAFETY: each row holds four singles; stores need no alignment.
+        #[allow(unsafe_code)]
+        unsafe {
+            _mm_storeu_ps(rows[0].as_mut_ptr(), near);
+            _mm_storeu_ps(rows[1].as_mut_ptr(), far);
+            _mm_storeu_ps(rows[2].as_mut_ptr(), inverse);
+        }
+        Some(Setup::new(rows[0], rows[1], rows[2], advance))
+    }
+}
+
+impl Setup {
+    #[inline(always)]
+    fn new(near_origin: [f32; 4], far_origin: [f32; 4], inverse: [f32; 4], advance: f64) -> Self {
+        let backward = |axis: usize| 3 * usize::from(inverse[axis].is_sign_negative());
+        let (x, y, z) = (backward(0), backward(1), backward(2));
+        Self {
+            near_origin,
+            far_origin,
+            inverse,
+            near_plane: [x, 1 + y, 2 + z],
+            far_plane: [3 - x, 4 - y, 5 - z],
+            advance,
+        }
+    }
+}
+
+/// How far to move a ray before it is rounded: to where it enters the box of everything (`near`), or 0 when
+/// it starts inside. `None` if it misses that box.
+#[inline(always)]
+fn entry(near: f64, far: f64, range: Range) -> Option<f64> {
+    let near = if near > range.min { near } else { range.min };
+    let far = if far < range.max { far } else { range.max };
+    let slack = 8.0 * f64::EPSILON * (near.abs() + far.abs());
+    if near > far + slack || near == f64::INFINITY {
+        return None;
+    }
+    Some(if near > 0.0 { near } else { 0.0 })
 }
 
 /// The slab test of all children: a bit for each that the ray may meet, and the distances to their near
@@ -285,6 +338,37 @@ pub(super) mod tests {
     use super::*;
     use crate::math::Aabb;
     use crate::math::bvh::Quality;
+
+    /// Both ways to set a ray up give the same bits.
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn wide_setup_equals_the_plain_one() {
+        if !std::arch::is_x86_feature_detected!("avx2") {
+            println!("skipped: no AVX2");
+            return;
+        }
+        let mut random = super::super::tests::Random::new(3);
+        let boxes: Vec<Aabb> = (0..50).map(|_| random.aabb(1.0, 0.2)).collect();
+        let bvh = Bvh::build(&boxes, Quality::Best);
+        for i in 0..4000 {
+            let mut dir = random.direction();
+            if i % 3 == 0 {
+                dir[i % 9 / 3] = 0.0;
+            }
+            let ray = Ray::new(random.vector(10f64.powi(i as i32 % 7 - 2)), dir.normalize());
+            let plain = bvh.setup_plain(&ray, Range::FORWARD);
+            // SAFETY: AVX2 was detected above.
+            #[allow(unsafe_code)]
+            let wide = unsafe { bvh.setup_avx2(&ray, Range::FORWARD) };
+            let bits = |s: Option<Setup>| {
+                s.map(|s| {
+                    let rows = [s.near_origin, s.far_origin, s.inverse].map(|r| [r[0], r[1], r[2]]);
+                    (rows.map(|r| r.map(f32::to_bits)), s.near_plane, s.far_plane, s.advance.to_bits())
+                })
+            };
+            assert_eq!(bits(plain), bits(wide), "{ray:?}");
+        }
+    }
 
     /// Both slab tests give the same bits for boxes and rays of all sizes.
     #[test]
