@@ -105,11 +105,17 @@ impl Crackle {
     fn nearest(&self, p: Vec3) -> Vec3 {
         Neighbourhood::around(cell(p), |cells| {
             let (mut least, mut at) = (f64::INFINITY, p);
-            for (_, point) in cells.all() {
-                let delta = point - p;
-                let sum = self.power(delta.x) + self.power(delta.y) + self.power(delta.z);
-                if sum < least {
-                    (least, at) = (sum, point);
+            for group in 0..GROUPS {
+                if group > 0 && self.metric > 0.0 && self.power(cells.gap(group, p)) >= least {
+                    continue;
+                }
+                let places = cells.group(group);
+                for (_, point) in cells.points(places) {
+                    let delta = point - p;
+                    let sum = self.power(delta.x) + self.power(delta.y) + self.power(delta.z);
+                    if sum < least {
+                        (least, at) = (sum, point);
+                    }
                 }
             }
             at
