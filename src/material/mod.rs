@@ -12,4 +12,4 @@ pub use ingredients::Ingredients;
 pub use interior::{Interior, Media};
 pub use normal::{Normal, NormalKind};
 pub use pigment::{GreyPigment, Pigment, PigmentField, PigmentKind, PigmentMap};
-pub use texture::{Attached, Layer, PatternedKind, PatternedTexture, Texture, TextureSample};
+pub use texture::{Attached, Layer, PatternedKind, PatternedTexture, Texture, TextureSample, View};

@@ -2,8 +2,9 @@ use super::normal::Frame;
 use super::{Finish, Normal, Pigment};
 use crate::math::{Transform, Vec3};
 use crate::pattern::image::ImageMap;
-use crate::pattern::{BlendMap, Blended, Context, Signal};
+use crate::pattern::{BlendMap, Blended, Context, Incidence, Signal};
 use smallvec::SmallVec;
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// Pigment, normal and finish together.
@@ -52,7 +53,7 @@ pub struct TextureSample<'a> {
     /// The point in the layers' space, after the warps of all enclosing patterns.
     pub point: Vec3,
     /// The enclosing patterned textures, outermost first, which frame normals.
-    frames: SmallVec<[&'a PatternedTexture; 2]>,
+    frames: Frames<'a>,
 }
 
 impl TextureSample<'_> {
@@ -75,31 +76,53 @@ impl TextureSample<'_> {
     }
 }
 
-type Samples<'a> = SmallVec<[TextureSample<'a>; 2]>;
+/// What patterns that choose textures may ask about besides the point.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    pub context: Context<'a>,
+    /// For textures that ask about the hit: the hit, and its normal after the most recent perturbation, which
+    /// the layers visited so far leave behind.
+    pub hit: Option<(&'a Incidence, &'a Cell<Vec3>)>,
+}
+
+impl View<'_> {
+    fn value(&self, signal: &Signal, warped: Vec3) -> f64 {
+        match self.hit {
+            None => signal.value(warped, &self.context),
+            Some((hit, normal)) => {
+                let hit = Incidence { normal: normal.get(), ..*hit };
+                signal.value(warped, &Context { hit: Some(&hit), ..self.context })
+            }
+        }
+    }
+}
+
+type Frames<'a> = SmallVec<[&'a PatternedTexture; 2]>;
 
 impl Texture {
-    /// The stacks that show at `p` (in texture space), with weights that add to 1.
+    /// Calls `visit` with the stacks that show at `p` (in texture space), with weights that add to 1. What
+    /// comes after a stack sees the normal that the stack leaves behind.
     #[inline]
-    pub fn samples<'a>(&'a self, p: Vec3, context: &Context, out: &mut Samples<'a>) {
-        self.gather(p, 1.0, &SmallVec::new(), context, out);
+    pub fn visit<'a>(&'a self, p: Vec3, view: &View, visit: &mut dyn FnMut(&TextureSample<'a>)) {
+        self.gather(p, 1.0, &SmallVec::new(), view, visit);
     }
 
     fn gather<'a>(
         &'a self,
         point: Vec3,
         weight: f32,
-        frames: &SmallVec<[&'a PatternedTexture; 2]>,
-        context: &Context,
-        out: &mut Samples<'a>,
+        frames: &Frames<'a>,
+        view: &View,
+        visit: &mut dyn FnMut(&TextureSample<'a>),
     ) {
         match self {
             Texture::Layers(layers) => {
-                out.push(TextureSample { weight, layers, point, frames: frames.clone() })
+                visit(&TextureSample { weight, layers, point, frames: frames.clone() })
             }
             Texture::Patterned(texture) => {
                 let mut frames = frames.clone();
                 frames.push(texture);
-                texture.gather(point, weight, &frames, context, out);
+                texture.gather(point, weight, &frames, view, visit);
             }
         }
     }
@@ -177,34 +200,35 @@ impl PatternedTexture {
         &'a self,
         p: Vec3,
         weight: f32,
-        frames: &SmallVec<[&'a PatternedTexture; 2]>,
-        context: &Context,
-        out: &mut Samples<'a>,
+        frames: &Frames<'a>,
+        view: &View,
+        visit: &mut dyn FnMut(&TextureSample<'a>),
     ) {
         match &self.kind {
             PatternedKind::Blended => {
                 let q = self.signal.warp(p);
-                match self.map.at(self.signal.value(q, context)) {
-                    Blended::One(texture) => texture.gather(q, weight, frames, context, out),
+                match self.map.at(view.value(&self.signal, q)) {
+                    Blended::One(texture) => texture.gather(q, weight, frames, view, visit),
                     Blended::Two(t, low, high) => {
-                        low.gather(q, weight * (1.0 - t) as f32, frames, context, out);
-                        high.gather(q, weight * t as f32, frames, context, out);
+                        // In this order they leave their normals behind.
+                        high.gather(q, weight * t as f32, frames, view, visit);
+                        low.gather(q, weight * (1.0 - t) as f32, frames, view, visit);
                     }
                 }
             }
             PatternedKind::Average => {
                 let (q, total) = (self.signal.warp_alone(p), self.map.total_weight());
                 for (share, texture) in self.map.iter() {
-                    texture.gather(q, weight * (share / total) as f32, frames, context, out);
+                    texture.gather(q, weight * (share / total) as f32, frames, view, visit);
                 }
             }
             PatternedKind::Material(image) => {
                 let q = self.signal.warp_alone(p);
-                self.material(image, q).gather(q, weight, frames, context, out);
+                self.material(image, q).gather(q, weight, frames, view, visit);
             }
             PatternedKind::Uv => {
-                let q = context.hit.map_or(p, |hit| hit.uv.extend(0.0));
-                self.map.item(0).gather(q, weight, frames, context, out);
+                let q = view.hit.map_or(p, |(hit, _)| hit.uv.extend(0.0));
+                self.map.item(0).gather(q, weight, frames, view, visit);
             }
         }
     }

@@ -136,6 +136,7 @@ impl Neighbourhood {
     }
 
     /// Every point.
+    #[cfg(test)]
     pub fn all(&mut self) -> impl Iterator<Item = ([i8; 3], Vec3)> {
         for group in 0..GROUPS {
             self.group(group);

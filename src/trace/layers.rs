@@ -1,11 +1,12 @@
 //! A surface's texture at a hit, taken apart into stacks of plain layers.
 
 use crate::color::Color;
-use crate::material::{Layer, Texture, TextureSample};
+use crate::material::{Layer, Texture, TextureSample, View};
 use crate::math::{Transform, Vec3};
 use crate::pattern::{Context, Incidence};
 use crate::world::{Hit, Surface};
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// A layer where it lies at the hit.
 #[derive(Clone, Copy)]
@@ -38,12 +39,14 @@ impl Placed<'_, '_> {
     }
 }
 
-/// Calls `visit` with each stack that shows at the hit, top layer first, and its share.
+/// Calls `visit` with each stack that shows at the hit, top layer first, and its share. `normal` is the hit's
+/// after the most recent perturbation, which `visit` keeps up to date.
 pub(super) fn stacks<'w, 'i>(
     surface: &'w Surface,
     hit: &Hit,
     context: &Context,
     incidence: impl Fn() -> &'i Incidence,
+    normal: &Cell<Vec3>,
     mut visit: impl FnMut(f32, &[Placed<'w, '_>]),
 ) {
     let place = |to_local: &Option<Box<Transform>>| {
@@ -75,16 +78,14 @@ pub(super) fn stacks<'w, 'i>(
             }
             // Nothing can be layered with a patterned texture.
             Texture::Patterned(_) => {
-                let mut samples = SmallVec::new();
-                let hit = asks_hit.then(&incidence);
-                l.texture.samples(point, &Context { hit, ..*context }, &mut samples);
-                for s in &samples {
+                let hit = asks_hit.then(|| (incidence(), normal));
+                l.texture.visit(point, &View { context: *context, hit }, &mut |s| {
                     let layers = s.layers.iter().rev();
                     let stack: SmallVec<[Placed; 2]> = layers
                         .map(|layer| Placed { layer, point: s.point, to_world, sample: Some(s), asks_hit })
                         .collect();
                     visit(s.weight, &stack);
-                }
+                });
                 return;
             }
         }

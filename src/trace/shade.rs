@@ -146,12 +146,12 @@ impl<'w> Tracer<'w> {
         }
         let site = &*site;
         let mut plan = Plan { rgb: Rgb::ZERO, through: SmallVec::new(), bounces: SmallVec::new() };
-        let (world, context) = (self.world, self.context);
+        let (world, context, normal) = (self.world, self.context, Cell::new(site.facing));
         for &(share, surface) in &surfaces {
             if surfaces.len() == 1 || share >= self.adc_bailout {
                 let incidence = || site.incidence(world);
-                layers::stacks(surface, site.hit, &context, incidence, |part, stack| {
-                    self.stack(site, share * part, stack, &mut plan);
+                layers::stacks(surface, site.hit, &context, incidence, &normal, |part, stack| {
+                    self.stack(site, share * part, stack, &normal, &mut plan);
                 });
             }
         }
@@ -160,18 +160,25 @@ impl<'w> Tracer<'w> {
         plan
     }
 
-    /// One stack of layers, top first.
-    fn stack(&mut self, site: &Site, share: f32, layers: &[Placed<'w, '_>], plan: &mut Plan<'w>) {
+    /// One stack of layers, top first. `last` is the normal after the most recent perturbation at this hit.
+    fn stack(
+        &mut self,
+        site: &Site,
+        share: f32,
+        layers: &[Placed<'w, '_>],
+        last: &Cell<Vec3>,
+        plan: &mut Plan<'w>,
+    ) {
         let first_bounce = plan.bounces.len();
         let (mut filter, mut clear, mut found, mut refraction) = (Rgb::ONE, 1.0f32, false, 1.0);
-        let (mut top, mut last) = (None, site.facing);
+        let mut top = None;
         for placed in layers {
             if clear <= self.adc_bailout {
                 break;
             }
             let normal = self.normal(site, placed, last);
-            let color = self.pigment(site, placed, normal);
-            (top, last) = (top.or(Some(normal)), normal);
+            let color = self.pigment(site, placed, last.get());
+            top = top.or(Some(normal));
             let finish: &'w Finish = &placed.layer.finish;
             refraction = finish.refraction;
             if self.settings.quality <= 1 {
@@ -210,16 +217,20 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The layer's shading normal; `last` is that of the layer above.
-    pub(super) fn normal(&self, site: &Site, placed: &Placed, last: Vec3) -> Vec3 {
+    /// The layer's shading normal; `last` is the one left by the layers before, which this one replaces if
+    /// it perturbs.
+    pub(super) fn normal(&self, site: &Site, placed: &Placed, last: &Cell<Vec3>) -> Vec3 {
         if placed.layer.normal.is_none() || self.settings.quality < 8 {
             return site.facing;
         }
-        if !placed.asks_hit {
-            return placed.normal(site.facing, &self.context);
-        }
-        let incidence = Incidence { normal: last, ..*site.incidence(self.world) };
-        placed.normal(site.facing, &Context { hit: Some(&incidence), ..self.context })
+        let normal = if placed.asks_hit {
+            let incidence = Incidence { normal: last.get(), ..*site.incidence(self.world) };
+            placed.normal(site.facing, &Context { hit: Some(&incidence), ..self.context })
+        } else {
+            placed.normal(site.facing, &self.context)
+        };
+        last.set(normal);
+        normal
     }
 
     pub(super) fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {

@@ -12,6 +12,7 @@ use crate::math::{EPSILON, Range, Ray};
 use crate::pattern::Context;
 use crate::world::{Hit, Obstacle, RayClass, Surface, WorldLight};
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// Surfaces that a shadow ray passes before it is given up.
 const MAX_PASSED: u32 = 1 << 16;
@@ -193,10 +194,10 @@ impl Tracer<'_> {
         let path =
             Path { level: 0, weight: 1.0, class: RayClass::Shadow, wavelength: None, inside: copied(inside) };
         let site = Site::new(ray, hit, &path);
-        let mut sum = Rgb::ZERO;
+        let (mut sum, facing) = (Rgb::ZERO, Cell::new(site.facing));
         for &(share, surface) in &surfaces {
             let incidence = || site.incidence(self.world);
-            layers::stacks(surface, hit, &self.context, incidence, |part, stack| {
+            layers::stacks(surface, hit, &self.context, incidence, &facing, |part, stack| {
                 sum += share * part * self.stack_filter(&site, stack, caustics);
             });
         }

@@ -76,11 +76,7 @@ impl Parser {
                 Arc::new(pattern::InsideOut(Arc::new(ObjectQuery::new(&object))))
             }
             Keyword::ImagePattern => Arc::new(self.image_pattern()?),
-            Keyword::Pavement => {
-                let span = self.last_span();
-                self.unsupported(span, "the pattern `pavement`");
-                Arc::new(pattern::Pavement)
-            }
+            Keyword::Pavement => Arc::new(pattern::Pavement::default()),
             Keyword::PigmentPattern => {
                 let base = (*self.scene.default_layer.pigment).clone();
                 Arc::new(GreyPigment(Arc::new(self.braced_pigment(base)?)))

@@ -46,9 +46,6 @@ fn patterns_are_as_measured() {
     let mut seen: BTreeMap<String, Pigment> = BTreeMap::new();
     let (mut bad, mut count) = (BTreeMap::new(), 0);
     for (text, v) in rows(include_str!("../../../tests/data/2-patterns-oracle.csv")) {
-        if text.starts_with("pavement") {
-            continue;
-        }
         let p = seen.entry(text.to_owned()).or_insert_with(|| pigment(text));
         let at = Vec3::new(v[0], v[1], v[2]);
         let got = p.signal.value(p.signal.warp(at), &CONTEXT);
@@ -57,13 +54,35 @@ fn patterns_are_as_measured() {
         }
         count += 1;
         // Some were read through a pigment, in single precision.
-        let single = ["tiling", "mandel 20 exterior 7", "mandel 20 exterior 8"];
+        let single = ["tiling", "pavement", "mandel 20 exterior 7", "mandel 20 exterior 8"];
         let tolerance = if single.iter().any(|s| text.starts_with(s)) { 4e-6 } else { 1e-9 };
         if (got - v[3]).abs() > tolerance {
             note(&mut bad, text, format!("{got} not {} at {at}", v[3]));
         }
     }
     println!("{count} rows");
+    report(bad);
+}
+
+#[test]
+fn pavements_are_as_measured() {
+    let table = include_str!("../../../tests/data/2-tiling-pavement-oracle.csv");
+    let columns: Vec<(&str, Vec<f64>)> = rows(table).collect();
+    let [(_, xs), (_, zs), ..] = &columns[..] else { panic!("the table starts with x and z") };
+    let (mut bad, mut count) = (BTreeMap::new(), 0);
+    for (text, values) in columns.iter().filter(|(text, _)| text.starts_with("pavement")) {
+        let p = pigment(text);
+        for ((&x, &z), &want) in xs.iter().zip(zs).zip(values) {
+            let at = Vec3::new(x, 0.0, z);
+            let got = p.signal.value(p.signal.warp(at), &CONTEXT);
+            count += 1;
+            if (got - want).abs() > 4e-6 {
+                note(&mut bad, text, format!("{got} not {want} at {at}"));
+            }
+        }
+    }
+    println!("{count} values");
+    assert_eq!(count, 48 * 150);
     report(bad);
 }
 

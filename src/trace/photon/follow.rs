@@ -15,6 +15,7 @@ use crate::light::{Light, fade_factor};
 use crate::math::{Range, Ray, Vec3};
 use crate::world::{PhotonRules, RayClass};
 use smallvec::SmallVec;
+use std::cell::Cell;
 
 /// Normals whose components differ by less count as one.
 const SAME_NORMAL: f64 = 1e-10;
@@ -90,7 +91,8 @@ impl Tracer<'_> {
         let (world, context) = (self.world, self.context);
         for &(share, surface) in &surfaces {
             let incidence = || site.incidence(world);
-            layers::stacks(surface, &hit, &context, incidence, |part, stack| {
+            let facing = Cell::new(site.facing);
+            layers::stacks(surface, &hit, &context, incidence, &facing, |part, stack| {
                 let flight = Flight { color: flight.color * (share * part), ..flight.clone() };
                 self.meet(&arrival, stack, flight, run);
             });
@@ -217,14 +219,13 @@ impl Tracer<'_> {
     fn photon_stack(&self, site: &Site, layers: &[Placed]) -> PhotonStack {
         let mut stack =
             PhotonStack { filter: Rgb::ONE, clear: 1.0, top: site.facing, bounces: SmallVec::new() };
-        let mut last = site.facing;
+        let last = Cell::new(site.facing);
         for (i, placed) in layers.iter().enumerate() {
             if stack.clear <= self.adc_bailout {
                 break;
             }
-            let normal = self.normal(site, placed, last);
-            let color = self.pigment(site, placed, normal);
-            last = normal;
+            let normal = self.normal(site, placed, &last);
+            let color = self.pigment(site, placed, last.get());
             if i == 0 {
                 stack.top = normal;
             }
