@@ -173,6 +173,17 @@ pub struct OverrideArgs {
     /// The most samples that an interval of a medium gets
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub media_samples: Option<u32>,
+    /// How indirect light is found: as the scene says, or by plain Monte Carlo, slowly, as a truth to hold
+    /// the scene's settings against; give --max-error with it
+    #[arg(long, value_enum, default_value_t, value_name = "scene|reference")]
+    pub gi: Gi,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Gi {
+    #[default]
+    Scene,
+    Reference,
 }
 
 fn not_negative(text: &str) -> Result<f32, String> {

@@ -11,6 +11,9 @@ use crate::world::{RayClass, WorldLight};
 /// Corners that differ by more than this (sum of components) are looked at closely.
 const CONTRAST: f32 = 0.1;
 
+/// Lamps that a point looks at for the truth.
+const REFERENCE_LAMPS: u32 = 16;
+
 /// Marks a lamp that has not been tested.
 const UNTESTED: f32 = f32::NAN;
 
@@ -48,7 +51,7 @@ struct Exposure<'a> {
 impl Tracer<'_> {
     /// Whether area lights are more than points for rays of `class`.
     pub(super) fn uses_area(&self, class: RayClass) -> bool {
-        self.settings.quality >= 5 && class != RayClass::Radiosity
+        self.settings.quality >= 5 && (class != RayClass::Radiosity || self.settings.overrides.reference)
     }
 
     /// The mean shadowed colour over the lamps.
@@ -59,11 +62,17 @@ impl Tracer<'_> {
         source: &WorldLight,
         area: &AreaLight,
         arrival: &Arrival,
+        class: RayClass,
     ) -> Rgb {
         let lamps = area.size1 as usize * area.size2 as usize;
         let axes = area.axes(arrival.direction);
         let exposure = Exposure { departure, inside, source, area, axes, color: arrival.color };
-        if let Some(few) = self.settings.overrides.area_samples.filter(|&n| (n as usize) < lamps) {
+        let few = match (self.settings.overrides.reference, class) {
+            (true, RayClass::Radiosity) => Some(1),
+            (true, _) => Some(REFERENCE_LAMPS),
+            _ => self.settings.overrides.area_samples,
+        };
+        if let Some(few) = few.filter(|&n| (n as usize) < lamps) {
             return self.few_lamps(&exposure, few.max(1));
         }
         self.lamps.clear();

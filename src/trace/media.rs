@@ -177,6 +177,9 @@ impl<'w> Tracer<'w> {
         }
         let threshold = all().map(|m| m.media.aa_threshold).fold(f32::INFINITY, f32::min);
         let plan = Plan::new(first, &self.media[first as usize], threshold);
+        if self.settings.overrides.reference {
+            return plan.fine();
+        }
         match self.settings.overrides.media_samples {
             Some(most) => plan.with_samples(most),
             None => plan,

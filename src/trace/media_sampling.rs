@@ -14,6 +14,9 @@ const DEEPEST: u32 = 24;
 /// Optical depth behind which nothing is seen: less than a millionth of the light comes through.
 const OPAQUE: f32 = 16.0;
 
+/// Fewest intervals for the truth.
+const FINE: u32 = 48;
+
 /// What decides about places.
 pub(super) struct Plan {
     /// The medium that decides, a place in `Tracer::media`.
@@ -43,6 +46,12 @@ impl Plan {
             ratio: f64::from(m.ratio),
             has_density: !m.densities.is_empty(),
         }
+    }
+
+    /// Many short intervals, sampled at random.
+    pub fn fine(self) -> Self {
+        let intervals = self.intervals.saturating_mul(4).clamp(FINE, FINE * FINE);
+        Self { intervals, samples: (2, 2), method: 1, ratio: 0.5, has_density: true, ..self }
     }
 
     /// The same with no more samples than `most`.

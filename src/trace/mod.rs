@@ -52,6 +52,8 @@ pub struct Overrides {
     pub radiosity_count: Option<u32>,
     /// The most samples that each interval of a medium gets.
     pub media_samples: Option<u32>,
+    /// Light by plain Monte Carlo, to hold the scene's own settings against.
+    pub reference: bool,
 }
 
 impl Default for Settings {

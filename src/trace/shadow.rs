@@ -56,7 +56,7 @@ impl Tracer<'_> {
         }
         match &light.area {
             Some(area) if self.uses_area(class) => {
-                self.area_shadowed(departure, inside, source, area, arrival)
+                self.area_shadowed(departure, inside, source, area, arrival, class)
             }
             _ => {
                 let ray = departure.ray(arrival.direction);

@@ -175,7 +175,7 @@ impl<'a> Job<'a> {
         let canvas = &live.canvas;
         let pool = &self.plan.pool;
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
-        save_photons(world, &light)?;
+        self.save_photons(world, &light)?;
         let sampler = || Tracer::lit(world, &settings, &light);
         let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
         Ok(total(counters, &tracers))
@@ -194,21 +194,22 @@ impl<'a> Job<'a> {
         let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
         let (pool, canvas) = (&self.plan.pool, &live.canvas);
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
-        save_photons(world, &light)?;
+        self.save_photons(world, &light)?;
         let tracer = || Tracer::lit(world, &settings, &light);
         let outcome = adaptive::render(&sampling, pool, &canvas.picture, canvas, wall, tracer);
         let words = self.task.command(&self.plan.command);
         let reached = Reached::new(&outcome, self.plan.region, &words);
         Ok((total(counters, &outcome.samplers), Some(reached)))
     }
-}
 
-/// Writes the photon maps where the scene wants them kept.
-fn save_photons(world: &World, light: &Indirect) -> Result<(), Failure> {
-    let path = world.scene.globals.photons.as_ref().and_then(|p| p.save_file.as_ref());
-    let (Some(path), Some(photons)) = (path, &light.photons) else { return Ok(()) };
-    std::fs::write(path, photons.to_file())
-        .map_err(|e| Failure::unavailable(format!("cannot write {}: {e}", path.display())))
+    /// Writes the photon maps where the scene wants them kept, if they are those that it asks for.
+    fn save_photons(&self, world: &World, light: &Indirect) -> Result<(), Failure> {
+        let path = world.scene.globals.photons.as_ref().and_then(|p| p.save_file.as_ref());
+        let path = path.filter(|_| !self.plan.overrides.reference);
+        let (Some(path), Some(photons)) = (path, &light.photons) else { return Ok(()) };
+        std::fs::write(path, photons.to_file())
+            .map_err(|e| Failure::unavailable(format!("cannot write {}: {e}", path.display())))
+    }
 }
 
 /// About how long it takes to encode and write a picture.

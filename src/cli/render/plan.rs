@@ -1,7 +1,7 @@
 //! Everything that was asked for, the same for all scenes of a batch.
 
 use super::accuracy::Accuracy;
-use crate::cli::args::{AaMethod, Corners, OverrideArgs, PictureArgs, RenderArgs};
+use crate::cli::args::{AaMethod, Corners, Gi, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
 use crate::picture::{Dither, Encoding, FileGamma, Pixel};
@@ -97,8 +97,16 @@ impl Plan {
 }
 
 fn overrides(args: &OverrideArgs) -> Overrides {
-    let OverrideArgs { trace_level, adc_bailout, area_samples, radiosity_count, media_samples } = *args;
-    Overrides { max_trace_level: trace_level, adc_bailout, area_samples, radiosity_count, media_samples }
+    let OverrideArgs { trace_level, adc_bailout, area_samples, radiosity_count, media_samples, gi } = *args;
+    let reference = gi == Gi::Reference;
+    Overrides {
+        max_trace_level: trace_level,
+        adc_bailout,
+        area_samples,
+        radiosity_count,
+        media_samples,
+        reference,
+    }
 }
 
 /// Threads that trace; one per core if none are asked for.

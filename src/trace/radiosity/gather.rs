@@ -163,7 +163,7 @@ impl Radiosity {
     }
 
     /// What every ray of a gather starts with.
-    fn ray_path(&self, depth: u32) -> Path {
+    pub(super) fn ray_path(&self, depth: u32) -> Path {
         let least = self.settings.adc_bailout + 1e-10;
         let weight = (0.5 * self.settings.brightness).powi(depth as i32 + 1);
         Path {

@@ -11,6 +11,7 @@ mod directions;
 mod gather;
 mod pretrace;
 mod query;
+mod reference;
 mod table;
 
 pub use cache::{Cache, Sample};
@@ -55,6 +56,8 @@ pub(super) struct Radiosity {
     /// How far samples are blended, lowered in the pretrace.
     error_bound: f64,
     pretrace: bool,
+    /// Whether nothing is kept or blended.
+    plain: bool,
     /// Gathers that the present ray hangs on.
     pub depth: u32,
     /// How well founded the present ray's answers were.
@@ -76,6 +79,7 @@ impl Radiosity {
             error_bound: settings.error_bound * factor,
             settings,
             pretrace,
+            plain: tracing.overrides.reference,
             depth: 0,
             quality: 1.0,
             queries: 0,

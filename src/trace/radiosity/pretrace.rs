@@ -56,7 +56,7 @@ impl<'w> Pretrace<'w> {
         photons: Option<Arc<Photons>>,
         tiles: impl Iterator<Item = Tile>,
     ) -> Option<Self> {
-        let lighting = Lighting::unknown(world, settings)?;
+        let lighting = Lighting::unknown(world, settings).filter(|_| !settings.overrides.reference)?;
         let radiosity = world.scene.globals.radiosity.clone()?;
         let pool = lighting.directions.len();
         let next = |serial: usize| vec![first_direction(serial, pool); radiosity.recursion_limit as usize];

@@ -42,6 +42,10 @@ impl Tracer<'_> {
         if depth >= radiosity.settings.recursion_limit {
             return None;
         }
+        if radiosity.plain {
+            let color = self.gather_plainly(query);
+            return self.radiosity.as_ref().map(|r| r.finished(color));
+        }
         let mut blend = radiosity.blended(query);
         let needed = radiosity.needed_weight(depth);
         if depth == 0 {
@@ -57,13 +61,17 @@ impl Tracer<'_> {
         let radiosity = self.radiosity.as_mut()?;
         radiosity.quality = radiosity.quality.min((4.0 * blend.weight / needed) as f32);
         let color = if blend.weight > 0.0 { blend.color / blend.weight as f32 } else { Rgb::ZERO };
-        let settings = &radiosity.settings;
-        let g = settings.gray_threshold;
-        Some((color * (1.0 - g) + Rgb::splat(g * grey(color))) * settings.brightness)
+        Some(radiosity.finished(color))
     }
 }
 
 impl Radiosity {
+    /// An answer as the surface gets it.
+    fn finished(&self, color: Rgb) -> Rgb {
+        let g = self.settings.gray_threshold;
+        (color * (1.0 - g) + Rgb::splat(g * grey(color))) * self.settings.brightness
+    }
+
     fn needed_weight(&self, depth: u32) -> f64 {
         let most = match depth {
             0 => u32::MAX,
