@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$here"/*.pov "$here"/*.inc "$work"
-cd "$work" || exit 1
+cd "$work" && mkdir target || exit 1
 [ $# -gt 0 ] || set -- $(ls ./*.pov | sed 's|./||; s|\.pov$||')
 failed=0
 for name in "$@"; do
