@@ -68,9 +68,22 @@ pub struct SceneArgs {
     /// Where standard include files come from
     #[arg(long, value_enum, default_value_t, value_name = "SOURCE")]
     pub includes: Includes,
-    /// Treat features that are not rendered yet as errors
-    #[arg(long)]
-    pub strict: bool,
+    /// Refuse more: features that are not rendered yet, or whatever POV-Ray refuses
+    #[arg(long, value_enum, value_name = "WHAT", num_args = 0..=1, require_equals = true, default_missing_value = "features")]
+    pub strict: Vec<Strict>,
+    /// How far a scene may go: includes, calls, blocks, nesting, tokens, passes, elements, seconds, memory (MB);
+    /// may be repeated
+    #[arg(long, value_name = "NAME=N")]
+    pub limit: Vec<String>,
+}
+
+/// What is refused though it could be read.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Strict {
+    /// Features that are not rendered yet
+    Features,
+    /// What POV-Ray refuses for a reason that helps nobody: a newer `#version`, a missing `;`, the case of a file's name
+    Reference,
 }
 
 /// Where standard include files come from.

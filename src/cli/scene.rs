@@ -1,9 +1,9 @@
 //! Scene text to a scene, with all that is said about it.
 
-use super::args::{Includes, SceneArgs};
+use super::args::{Includes, SceneArgs, Strict};
 use super::diagnostic;
 use super::exit::Failure;
-use crate::interp::{self, IncludeMode, Outcome, SceneSource};
+use crate::interp::{self, IncludeMode, Limits, Outcome, SceneSource};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, Files};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -39,9 +39,13 @@ impl Options {
         for text in &args.declare {
             options.declares.push(declaration(text)?);
         }
+        for text in &args.limit {
+            set_limit(&mut options.limits, text)?;
+        }
+        options.strict = args.strict.contains(&Strict::Reference);
         options.frame.clock = args.clock as f32;
         options.frame.clock_on = args.clock != 0.0;
-        Ok(Options { interp: options, strict: args.strict, ascii: false })
+        Ok(Options { interp: options, strict: args.strict.contains(&Strict::Features), ascii: false })
     }
 }
 
@@ -56,6 +60,18 @@ fn declaration(text: &str) -> Result<(String, f64), Failure> {
         return Err(wrong());
     }
     Ok((name.to_owned(), value))
+}
+
+/// `NAME=N`.
+fn set_limit(limits: &mut Limits, text: &str) -> Result<(), Failure> {
+    let known = text.split_once('=').and_then(|(name, value)| {
+        let value = value.trim().parse().ok()?;
+        limits.set(name.trim(), value).then_some(())
+    });
+    known.ok_or_else(|| {
+        let names = Limits::NAMES.join(", ");
+        Failure::usage(format!("--limit {text}: expected NAME=N with N from 1, and one of the names {names}"))
+    })
 }
 
 /// A scene that was read.
@@ -136,6 +152,20 @@ fn show_all(warnings: &[Diagnostic], files: &Files, ascii: bool) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn limits_are_set_by_name() {
+        let mut limits = Limits::default();
+        set_limit(&mut limits, "calls=20").unwrap();
+        set_limit(&mut limits, "seconds = 2.5").unwrap();
+        assert_eq!((limits.symbol_tables, limits.seconds), (22, 2.5));
+        for name in Limits::NAMES {
+            set_limit(&mut limits, &format!("{name}=7")).unwrap();
+        }
+        for wrong in ["calls", "calls=0", "depth=3", "calls=x", "seconds=inf"] {
+            assert!(set_limit(&mut limits, wrong).unwrap_err().message.contains("NAME=N"), "{wrong}");
+        }
+    }
 
     #[test]
     fn declarations_are_names_with_numbers() {

@@ -363,9 +363,12 @@ impl Parser {
         if self.passes > self.options.limits.passes {
             let limit = self.options.limits.passes;
             let message = format!("more than {limit} passes of loops and calls of macros");
-            return Err(Box::new(Diagnostic::error(span, message)));
+            return Err(Box::new(
+                Diagnostic::error(span, message)
+                    .with_hint("does a loop never end? `--limit passes=N` gives it more"),
+            ));
         }
-        Ok(())
+        self.watch()
     }
 
     /// `(condition)`.

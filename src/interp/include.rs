@@ -74,7 +74,7 @@ impl Parser {
             return Ok(file);
         }
         let Some(found) = found else { return Err(self.no_such_file(name, span)) };
-        self.warn_leniency(&found, name, span);
+        self.lenient_about(&found, name, span)?;
         let shown = found.path.display().to_string();
         self.load(&found.path, &shown, span)
     }

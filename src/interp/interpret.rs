@@ -7,8 +7,9 @@ use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::material::Layer;
 use crate::pattern::NoiseGenerator;
-use crate::scene::{Background, Globals, Scene};
+use crate::scene::{Background, Body, Globals, Object, Scene};
 use crate::source::{Diagnostic, Files, Severity, Span};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// What reading a scene gave.
@@ -142,9 +143,18 @@ impl Parser {
         self.scene.surroundings.set_generator(if original { NoiseGenerator::Original } else { generator });
     }
 
+    /// Objects in objects multiply: what the scene comes to must fit into memory.
+    fn count_objects(&self, whole: Span) -> Result<()> {
+        let mut known = HashMap::new();
+        let all = self.scene.scene.objects.iter();
+        let leaves = all.fold(0u64, |n, object| n.saturating_add(leaves(object, &mut known)));
+        self.reserve(leaves.saturating_mul(BYTES_PER_OBJECT), whole)
+    }
+
     /// What the end of the text decides, and the scene.
     fn finish(&mut self) -> Result<Scene> {
         let whole = Span { file: self.last.file, start: 0, end: 0 };
+        self.count_objects(whole)?;
         if !self.version.is_declared() {
             let text = "no `#version`: the scene is rendered by the rules before 3.7";
             self.warn(Diagnostic::warning(whole, text).with_hint("say `#version 3.7;` on the first line"));
@@ -178,6 +188,21 @@ impl Parser {
         let empty = SceneBuilder::new().scene;
         Ok(std::mem::replace(&mut self.scene.scene, empty))
     }
+}
+
+/// About what an object takes when the scene is prepared.
+const BYTES_PER_OBJECT: u64 = 500;
+
+/// How many objects that are no combinations an object consists of; shared ones are counted each time, but
+/// looked at once.
+fn leaves(object: &Object, known: &mut HashMap<*const Vec<Arc<Object>>, u64>) -> u64 {
+    let Body::Csg { children, .. } = &object.body else { return 1 };
+    if let Some(&n) = known.get(&Arc::as_ptr(children)) {
+        return n;
+    }
+    let n = children.iter().fold(0u64, |n, child| n.saturating_add(leaves(child, known)));
+    known.insert(Arc::as_ptr(children), n);
+    n
 }
 
 impl Outcome {

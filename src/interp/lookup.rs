@@ -94,24 +94,27 @@ impl Parser {
     pub(crate) fn require_file(&mut self, name: &str, kind: Kind, span: Span) -> Result<PathBuf> {
         match self.find_file(name, kind) {
             Some(found) => {
-                self.warn_leniency(&found, name, span);
+                self.lenient_about(&found, name, span)?;
                 Ok(found.path)
             }
             None => Err(self.no_such_file(name, span)),
         }
     }
 
-    pub(super) fn warn_leniency(&mut self, found: &Found, name: &str, span: Span) {
-        if let Some(why) = found.leniency {
-            let message = format!("`{name}` is taken to be {}: {why}", found.path.display());
-            self.warn(Diagnostic::warning(span, message));
-        }
+    pub(super) fn lenient_about(&mut self, found: &Found, name: &str, span: Span) -> Result<()> {
+        let Some(why) = found.leniency else { return Ok(()) };
+        let message = format!("`{name}` is taken to be {}: {why}", found.path.display());
+        self.lenient(Diagnostic::warning(span, message))
     }
 
     pub(super) fn no_such_file(&self, name: &str, span: Span) -> Box<Diagnostic> {
         let folders: Vec<String> =
             self.library_folders().iter().skip(1).map(|f| f.display().to_string()).collect();
         let hint = match folders.is_empty() {
+            _ if is_design(name) => {
+                "it comes with POV-Ray: install its include files (package `povray-includes`), or name their folder with -L"
+                    .to_owned()
+            }
             true => "looked in the working folder and beside the scene; name more folders with +L".to_owned(),
             false => format!("looked in the working folder, {} and beside the scene", folders.join(", ")),
         };
@@ -153,6 +156,46 @@ impl Parser {
         }
         roots.iter().filter_map(|r| absolute(r)).any(|root| target.starts_with(root))
     }
+}
+
+/// Include files of POV-Ray that are design and not fact; nobody else carries them.
+const DESIGNS: [&str; 30] = [
+    "chars",
+    "glass",
+    "glass_old",
+    "golds",
+    "ior",
+    "logo",
+    "makegrass",
+    "meshmaker",
+    "metals",
+    "rad_def",
+    "screen",
+    "shapes3",
+    "shapesq",
+    "skies",
+    "stage1",
+    "stars",
+    "stdcam",
+    "stoneold",
+    "stones",
+    "stones1",
+    "stones2",
+    "sunpos",
+    "textures",
+    "woodmaps",
+    "woods",
+    "shapes_old",
+    "povlogo.ttf",
+    "timrom.ttf",
+    "cyrvetic.ttf",
+    "crystal.ttf",
+];
+
+/// Whether a file of that name comes with POV-Ray and with nothing else.
+fn is_design(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    DESIGNS.contains(&name.strip_suffix(".inc").unwrap_or(&name))
 }
 
 /// The names to try, in order.

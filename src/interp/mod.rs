@@ -12,6 +12,7 @@ mod grammar;
 mod include;
 mod interpret;
 mod kept;
+mod limits;
 mod lists;
 mod lookup;
 mod macros;
@@ -32,8 +33,9 @@ mod version;
 mod world_query;
 
 pub use interpret::{Outcome, interpret, interpret_str};
+pub use limits::Limits;
 pub(crate) use lookup::Kind as FileKind;
-pub use options::{Frame, IncludeMode, Limits, Options, SceneSource};
+pub use options::{Frame, IncludeMode, Options, SceneSource};
 pub use parser::Parser;
 pub use value::{Array, Material, Value};
 

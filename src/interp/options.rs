@@ -1,3 +1,4 @@
+use super::limits::Limits;
 use std::path::PathBuf;
 
 /// Where a scene's text comes from.
@@ -39,7 +40,7 @@ pub struct Options {
     pub image_height: u32,
     /// Whether the picture will have an alpha channel.
     pub output_alpha: bool,
-    /// Turn warnings about what the reference would refuse into errors.
+    /// Refuse what the reference refuses, even where nobody is helped by it.
     pub strict: bool,
     pub limits: Limits,
 }
@@ -56,39 +57,6 @@ pub struct Frame {
     pub initial_clock: f64,
     pub final_clock: f64,
     pub clock_delta: f64,
-}
-
-/// How far a scene may go before it is refused.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Files open at once, the main one included.
-    pub open_files: usize,
-    /// Symbol tables at once: two fixed ones, one per open include and one per macro call.
-    pub symbol_tables: usize,
-    /// Open conditionals, loops and macro calls.
-    pub blocks: usize,
-    /// Braces, parentheses and brackets within each other.
-    pub nesting: usize,
-    /// Tokens of one loop or macro body.
-    pub kept_tokens: usize,
-    /// Passes of loops and calls of macros in all.
-    pub passes: u64,
-    /// Elements of one array.
-    pub array_elements: usize,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self {
-            open_files: 32,
-            symbol_tables: 100,
-            blocks: 200,
-            nesting: 1000,
-            kept_tokens: 100_000_000,
-            passes: 1_000_000_000_000,
-            array_elements: 100_000_000,
-        }
-    }
 }
 
 impl Default for Options {

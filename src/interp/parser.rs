@@ -49,6 +49,7 @@ pub struct Parser {
     pub(super) deprecated: HashMap<Symbol, Arc<str>>,
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
+    pub(super) watch: super::limits::Watch,
     pub(super) text: super::string::TextState,
     pub(super) random: Vec<u32>,
     pub(super) queries: super::world_query::Queries,
@@ -91,6 +92,7 @@ pub(super) struct Hold {
 
 impl Parser {
     pub(super) fn new(options: Options, scene: SceneBuilder) -> Self {
+        let watch = super::limits::Watch::new(&options.limits);
         Self {
             scene,
             version: Version::new(options.start_version),
@@ -113,6 +115,7 @@ impl Parser {
             images: Vec::new(),
             deprecated: HashMap::new(),
             passes: 0,
+            watch,
             text: Default::default(),
             random: Vec::new(),
             queries: Default::default(),

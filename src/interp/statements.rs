@@ -1,7 +1,7 @@
 //! Directives that say or set something: versions and messages.
 
 use super::{Parser, Result};
-use crate::source::{Diagnostic, Span};
+use crate::source::{Diagnostic, Severity, Span};
 use crate::syntax::{Keyword, Punct, Tok};
 
 /// The newest language version known, times 100.
@@ -22,20 +22,20 @@ impl Parser {
         let value = value?;
         let span = start.to(self.last);
         let version = (100.0 * value + 0.5).floor();
-        if version > f64::from(NEWEST) {
-            return Err(Box::new(
-                Diagnostic::error(span, format!("language version {value} is newer than 3.7"))
-                    .with_hint("Glint reads the language of version 3.7 and before"),
-            ));
-        }
         if version < 0.0 || version.is_nan() {
             return Err(Box::new(Diagnostic::error(span, format!("{value} is no language version"))));
+        }
+        if version > f64::from(NEWEST) {
+            let text = format!("language version {value} is newer than 3.7");
+            self.lenient(
+                Diagnostic::warning(span, text).with_hint("the scene is read as one of version 3.7"),
+            )?;
         }
         if !self.version.is_declared() && self.spoken {
             let text = "the first `#version` comes late: it changes how the whole picture is rendered";
             self.warn(Diagnostic::warning(span, text).with_hint("put it on the first line"));
         }
-        self.version.set(version as u32);
+        self.version.set((version as u32).min(NEWEST));
         if !self.accept_raw(Punct::Semicolon)? && version >= 310.0 {
             self.warn(Diagnostic::warning(after(span), "`;` is missing").with_label(MISSING_SEMICOLON));
         }
@@ -48,16 +48,39 @@ impl Parser {
             return Ok(());
         }
         let version = self.syntax_version();
-        if version >= 350 {
-            return Err(Box::new(
-                Diagnostic::error(after(span), "`;` is missing").with_label(MISSING_SEMICOLON).with_hint(
-                    "numbers, vectors and colors are assigned with `;` at the end since version 3.5",
-                ),
-            ));
+        if version < 310 {
+            return Ok(());
         }
-        if version >= 310 {
-            self.warn(Diagnostic::warning(after(span), "`;` is missing").with_label(MISSING_SEMICOLON));
+        let missing = Diagnostic::warning(after(span), "`;` is missing").with_label(MISSING_SEMICOLON);
+        if version < 350 {
+            self.warn(missing);
+            return Ok(());
         }
+        let hint = "numbers, vectors and colors are assigned with `;` at the end since version 3.5";
+        let mut missing = missing.with_hint(hint);
+        // Only where a statement can begin it is sure that nothing else was meant.
+        let next = match self.take_ahead() {
+            Some(token) => {
+                self.set_raw_ahead(token);
+                token.tok
+            }
+            None => self.glance()?,
+        };
+        if let Tok::Punct(_) | Tok::Number(_) | Tok::String(_) = next {
+            missing.severity = Severity::Error;
+            return Err(Box::new(missing));
+        }
+        self.lenient(missing)
+    }
+
+    /// Where the reference refuses a text for a reason that helps nobody: a warning, unless it is to be
+    /// refused here too.
+    pub(super) fn lenient(&mut self, mut diagnostic: Diagnostic) -> Result<()> {
+        if self.options.strict {
+            diagnostic.severity = Severity::Error;
+            return Err(Box::new(diagnostic));
+        }
+        self.warn(diagnostic);
         Ok(())
     }
 

@@ -102,7 +102,10 @@ impl Parser {
     fn refill(&mut self) -> Result<bool> {
         match self.frames.len() {
             0 => Ok(false),
-            n => self.refill_frame(n - 1),
+            n => {
+                self.watch()?;
+                self.refill_frame(n - 1)
+            }
         }
     }
 

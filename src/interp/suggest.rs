@@ -4,6 +4,9 @@ use super::Parser;
 use crate::source::{Diagnostic, Label};
 use crate::syntax::{SPELLINGS, Symbol, Tok, Token};
 
+/// Nothing is suggested for shorter names: everything is near them.
+const SHORTEST_NAME: usize = 3;
+
 impl Parser {
     /// The error for a token that does not fit: "expected {expected}", with a did-you-mean for
     /// undeclared names.
@@ -53,6 +56,9 @@ impl Parser {
     /// The declared name or word of the language most like this one.
     fn nearest_name(&self, symbol: Symbol) -> Option<String> {
         let name = self.name(symbol);
+        if name.len() < SHORTEST_NAME {
+            return None;
+        }
         let most = (name.len() / 3).max(1);
         let declared = self.symbols.names().map(|s| self.name(s));
         let words = SPELLINGS.iter().map(|(text, _)| *text);

@@ -22,13 +22,14 @@ impl Parser {
                 return Err(self.unexpected(&format!("no more than {MOST_DIMENSIONS} dimensions")));
             }
             self.next()?;
-            let size = self.float()? + SLACK;
+            let written = self.float()?;
+            let size = written + SLACK;
             self.expect_punct(Punct::RightBracket)?;
             if !(1.0..4e9).contains(&size) {
                 let span = start.to(self.last);
                 return Err(Box::new(Diagnostic::error(
                     span,
-                    format!("an array cannot have {size} elements"),
+                    format!("an array cannot have {written} elements"),
                 )));
             }
             sizes.push(size as usize);
@@ -44,6 +45,7 @@ impl Parser {
                 format!("an array has more than {limit} elements"),
             ))
         })?;
+        self.reserve((count * size_of::<Option<Value>>()) as u64, start.to(self.last))?;
         let mut array = Array { elements: vec![None; count], kind: None, sizes };
         if self.peek()?.tok == Tok::Punct(Punct::LeftBrace) {
             let mut at = 0;

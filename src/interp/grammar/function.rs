@@ -388,7 +388,7 @@ impl Parser {
 
     fn function_member(&mut self, body: &mut Body, call: Node, kind: VectorKind) -> Result<Node> {
         if self.peek()?.tok != Tok::Punct(Punct::Dot) {
-            return Err(self.unexpected("`.` and a component, since this function gives a vector,"));
+            return Err(self.unexpected("`.` and a component, since this function gives a vector"));
         }
         self.next()?;
         let token = self.peek()?;

@@ -10,6 +10,9 @@ use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
 use std::sync::Arc;
 
+/// Most layers of one texture.
+const MOST_LAYERS: usize = 10_000;
+
 impl Parser {
     /// One texture. It may have several layers if it begins with an identifier that has.
     pub fn texture_statement(&mut self) -> Result<Vec<Attached<Texture>>> {
@@ -41,6 +44,11 @@ impl Parser {
             }
         }
         layers.push(Attached::new(self.shared_texture(texture)));
+        let count = |t: &Attached<Texture>| if let Texture::Layers(all) = &*t.value { all.len() } else { 1 };
+        if layers.iter().map(count).sum::<usize>() > MOST_LAYERS {
+            let message = format!("a texture has more than {MOST_LAYERS} layers");
+            return Err(Box::new(Diagnostic::error(start, message)));
+        }
         Ok(())
     }
 

@@ -1,10 +1,10 @@
-use super::{debug, error, outcome};
+use super::{Options, SceneSource, debug, error, interpret, outcome};
 
 #[test]
 fn mistakes_are_errors() {
     for text in [
         "#declare A=Undeclared;",
-        "#declare A=5",
+        "#declare A=5 , 3",
         "#declare x=1;",
         "#declare sphere=1;",
         "#macro M(x) #end",
@@ -39,7 +39,6 @@ fn mistakes_are_errors() {
         "#while (1) #break",
         "#switch (1) #declare A=1; #case (1) #end",
         "#for (I,1,2,0) #end",
-        "#version 3.8;",
         "#error \"stop\"",
         "#nonsense",
         "}",
@@ -112,4 +111,25 @@ fn deprecated_names_warn_where_they_are_used() {
     let said = |text: &str| outcome(text).warnings.iter().filter(|w| w.message.contains("old")).count();
     assert_eq!(said("#declare deprecated once \"old\" X=3; #declare Y=X; #declare Z=X+X;"), 3);
     assert_eq!(said("#declare deprecated \"old\" X=3; #declare X=4; #declare Z=X;"), 0);
+}
+
+/// Where the reference helps nobody by refusing, a warning says what was assumed, unless it is to be refused.
+#[test]
+fn leniencies_are_warnings_or_errors() {
+    for (text, printed, warning) in [
+        ("#version 3.8; #debug str(version,0,2)", "3.70", "newer than 3.7"),
+        ("#declare A=5 #debug str(A,0,0)", "5", "`;` is missing"),
+        ("#declare V=<1,2,3>\n#debug str(V.y,0,0)", "2", "`;` is missing"),
+        ("#declare C=rgb 1\nsphere{0,1} #debug str(C.red,0,0)", "1", "`;` is missing"),
+        ("#for (K,1,2) #declare A=K #end #debug str(A,0,0)", "2", "`;` is missing"),
+        ("#macro M() #local A=5 #debug str(A,0,0) #end M()", "5", "`;` is missing"),
+    ] {
+        let lenient = outcome(text);
+        assert!(lenient.scene.is_ok(), "{text}");
+        assert_eq!(lenient.debug, printed, "{text}");
+        assert!(lenient.warnings.iter().any(|w| w.message.contains(warning)), "{text}");
+        let source = SceneSource::Text { name: "test".to_owned(), text: text.as_bytes().to_vec() };
+        let options = Options { start_version: Some(370), strict: true, ..Options::default() };
+        assert!(interpret(source, &options).scene.unwrap_err().message.contains(warning), "{text}");
+    }
 }

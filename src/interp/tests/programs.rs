@@ -116,7 +116,7 @@ fn assignments_and_conditions_of_every_kind_in_kept_text() {
     for (text, expected) in cases {
         assert_eq!(debug(text), expected, "{text}");
     }
-    assert!(super::error("#for (K,1,3) #declare A=K #end").contains(';'));
+    assert!(super::error("#for (K,1,3) #declare A=K , #end").contains(';'));
     let said =
         outcome("#declare deprecated \"old\" X=3; #declare Y=0; #for (K,1,3) #declare Y=X; #end").warnings;
     assert_eq!(said.iter().filter(|w| w.message == "old").count(), 1);
