@@ -48,8 +48,27 @@ pub fn magnitude(c: &[f64], t: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &k| sum * t + k.abs())
 }
 
+/// How exact the places are where a derivative changes its sign, as a part of their distance from 0: next to a
+/// turn a polynomial differs from its value there by the square of this, which is less than rounding.
+const CLOSE: f64 = 1e-9;
+/// How exact roots are.
+const EXACT: f64 = 2.0 * EPSILON;
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug)]
+struct Wanted {
+    touching: Touching,
+    close: f64,
+    /// The smallest root only.
+    first: bool,
+}
+
 /// The roots strictly inside `range`.
 pub fn roots(c: &[f64], range: Range, touching: Touching) -> Roots {
+    wanted_roots(c, range, Wanted { touching, close: EXACT, first: false })
+}
+
+fn wanted_roots(c: &[f64], range: Range, wanted: Wanted) -> Roots {
     let c = trimmed(c);
     let mut out = Roots::new();
     if c.len() < 2 || c.iter().any(|k| !k.is_finite()) {
@@ -61,14 +80,14 @@ pub fn roots(c: &[f64], range: Range, touching: Touching) -> Roots {
         (lo, hi) = (lo.max(-bound), hi.min(bound));
     }
     if lo < hi {
-        collect(c, lo, hi, touching, &mut out);
+        collect(c, lo, hi, wanted, &mut out);
     }
     out
 }
 
-/// The smallest root strictly inside `range` where the sign changes.
-pub fn first_root(c: &[f64], range: Range) -> Option<f64> {
-    roots(c, range, Touching::Skip).first().copied()
+/// The smallest root strictly inside `range`.
+pub fn first_root(c: &[f64], range: Range, touching: Touching) -> Option<f64> {
+    wanted_roots(c, range, Wanted { touching, close: EXACT, first: true }).first().copied()
 }
 
 /// The sign changes between two ends whose values the caller knows, so that pieces of a curve agree about
@@ -87,8 +106,9 @@ pub fn sign_changes(c: &[f64], low: (f64, f64), high: (f64, f64)) -> Roots {
     }
     let slope = derivative(c);
     let mut turns = Roots::new();
-    collect(trimmed(&slope), low.0, high.0, Touching::Skip, &mut turns);
-    between_turns(c, low, high, &turns, Touching::Skip, &mut out);
+    let changes = Wanted { touching: Touching::Skip, close: CLOSE, first: false };
+    collect(trimmed(&slope), low.0, high.0, changes, &mut turns);
+    between_turns(c, low, high, &turns, Wanted { close: EXACT, ..changes }, &mut out);
     out
 }
 
@@ -112,23 +132,64 @@ fn trimmed(c: &[f64]) -> &[f64] {
 fn root_bound(c: &[f64]) -> f64 {
     let n = c.len() - 1;
     let lead = c[n];
-    let largest = (0..n).map(|i| (c[i] / lead).abs().powf(1.0 / (n - i) as f64)).fold(0.0, f64::max);
+    let largest = (0..n).map(|i| root_above((c[i] / lead).abs(), n - i)).fold(0.0, f64::max);
     (2.0 * largest * (1.0 + 8.0 * EPSILON)).min(10f64.powf(140.0 / n as f64))
 }
 
-fn collect(c: &[f64], lo: f64, hi: f64, touching: Touching, out: &mut Roots) {
+/// The `n`th root of `v`, or something up to twice as large.
+fn root_above(v: f64, n: usize) -> f64 {
+    match n {
+        1 => v,
+        2 => v.sqrt(),
+        4 => v.sqrt().sqrt(),
+        _ if v == 0.0 || !v.is_normal() => v.powf(1.0 / n as f64),
+        _ => {
+            // v is less than the power of two with the next exponent.
+            let exponent = ((v.to_bits() >> 52) & 0x7ff) as i64 - 1022;
+            let root = -(-exponent).div_euclid(n as i64);
+            f64::from_bits(((root + 1023) as u64) << 52)
+        }
+    }
+}
+
+fn collect(c: &[f64], lo: f64, hi: f64, wanted: Wanted, out: &mut Roots) {
+    let touching = wanted.touching;
     match c.len() {
         0 | 1 => {}
         2 => push_inside(-c[0] / c[1], lo, hi, out),
         3 => quadratic(c, lo, hi, touching, out),
-        _ => {
-            let slope = derivative(c);
-            let mut turns = Roots::new();
-            collect(trimmed(&slope), lo, hi, Touching::Skip, &mut turns);
-            let (low, high) = ((lo, value_beside(c, lo, 1.0)), (hi, value_beside(c, hi, -1.0)));
-            between_turns(c, low, high, &turns, touching, out);
+        4..=8 => through_derivatives::<8>(c, lo, hi, wanted, out),
+        _ => through_derivatives::<MAX_COEFFICIENTS>(c, lo, hi, wanted, out),
+    }
+}
+
+/// Polynomials with more coefficients are not solved.
+pub const MAX_COEFFICIENTS: usize = 40;
+
+/// Roots between those of the derivative, which lie between those of the next, up from the quadratic one.
+fn through_derivatives<const N: usize>(c: &[f64], lo: f64, hi: f64, wanted: Wanted, out: &mut Roots) {
+    let n = c.len();
+    if n > N {
+        return;
+    }
+    let mut levels = [[0.0; N]; N];
+    levels[0][..n].copy_from_slice(c);
+    for k in 1..=n - 3 {
+        for i in 0..n - k {
+            levels[k][i] = (i + 1) as f64 * levels[k - 1][i + 1];
         }
     }
+    let turning = Wanted { touching: Touching::Skip, close: CLOSE, first: false };
+    let mut turns = Roots::new();
+    quadratic(&levels[n - 3][..3], lo, hi, Touching::Skip, &mut turns);
+    for k in (0..n - 3).rev() {
+        let p = &levels[k][..n - k];
+        let (low, high) = ((lo, value_beside(p, lo, 1.0)), (hi, value_beside(p, hi, -1.0)));
+        let mut next = Roots::new();
+        between_turns(p, low, high, &turns, if k == 0 { wanted } else { turning }, &mut next);
+        turns = next;
+    }
+    out.append(&mut turns);
 }
 
 fn push_inside(t: f64, lo: f64, hi: f64, out: &mut Roots) {
@@ -163,14 +224,17 @@ fn between_turns(
     low: (f64, f64),
     high: (f64, f64),
     turns: &[f64],
-    touching: Touching,
+    wanted: Wanted,
     out: &mut Roots,
 ) {
     let mut left = low;
     for (i, &x) in turns.iter().chain(std::iter::once(&high.0)).enumerate() {
         let is_end = i == turns.len();
         let f = if is_end { high.1 } else { value(c, x) };
-        if touching == Touching::Once && !is_end && f.abs() <= TOUCH * magnitude(c, x) {
+        if wanted.first && !out.is_empty() {
+            return;
+        }
+        if wanted.touching == Touching::Once && !is_end && f.abs() <= TOUCH * magnitude(c, x) {
             push_distinct(x, out);
             // The sign beyond comes from the next turn; a root is not sought in the two pieces beside.
             left = (x, 0.0);
@@ -180,7 +244,7 @@ fn between_turns(
             continue;
         }
         if left.1 != 0.0 && (left.1 < 0.0) != (f < 0.0) {
-            push_distinct(bracketed(c, left, (x, f)), out);
+            push_distinct(bracketed(c, left, (x, f), wanted.close), out);
         }
         left = (x, f);
     }
@@ -195,6 +259,10 @@ fn push_distinct(t: f64, out: &mut Roots) {
 /// The value at `x`; where it is 0, something with the sign that it has a little further in direction
 /// `side` (1 or -1).
 fn value_beside(c: &[f64], x: f64, side: f64) -> f64 {
+    let here = value(c, x);
+    if here != 0.0 {
+        return here;
+    }
     let mut k: SmallVec<[f64; 8]> = c.into();
     let mut sign = 1.0;
     while !k.is_empty() {
@@ -210,7 +278,7 @@ fn value_beside(c: &[f64], x: f64, side: f64) -> f64 {
 
 /// The root between two ends with values of different sign: Newton's method, with a bisection whenever a
 /// step leaves the bracket or shrinks it too slowly.
-fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64)) -> f64 {
+fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64), closeness: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;
     let mut x = lo + (hi - lo) * (left.1 / (left.1 - right.1)).clamp(0.05, 0.95);
@@ -226,7 +294,7 @@ fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64)) -> f64 {
             hi = x;
         }
         let next = x - f / d;
-        let close = (next - x).abs() <= 2.0 * EPSILON * x.abs();
+        let close = (next - x).abs() <= closeness * x.abs();
         if close && next >= lo && next <= hi {
             return next;
         }

@@ -15,16 +15,39 @@
 use super::{COINCIDENT, Crossing, Shape, rounding};
 use crate::math::polynomial::{self, Touching};
 use crate::math::{Aabb, Range, Ray, Vec3};
-use smallvec::SmallVec;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Algebraic {
     order: usize,
+    /// The powers of x, then those of y, that the polynomial has, falling.
+    planes: Vec<Plane>,
+    lines: Vec<Line>,
+    /// By falling powers of z, each line from its own highest one.
     coefficients: Vec<f64>,
 }
 
+/// What is multiplied by one power of x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Plane {
+    power: usize,
+    /// From, to.
+    lines: (usize, usize),
+}
+
+/// What is multiplied by one power of x and one of y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Line {
+    power: usize,
+    /// From, to in the coefficients.
+    terms: (usize, usize),
+}
+
 /// A polynomial in the distance, lowest power first.
-type Univariate = SmallVec<[f64; 8]>;
+struct Univariate<const N: usize> {
+    terms: [f64; N],
+    /// How many of them are in use.
+    count: usize,
+}
 
 impl Algebraic {
     pub const MAX_ORDER: usize = 35;
@@ -45,33 +68,62 @@ impl Algebraic {
 
     /// `None` unless there are as many coefficients as the order asks for.
     pub fn new(order: usize, coefficients: Vec<f64>) -> Option<Self> {
-        (coefficients.len() == Self::count(order)).then_some(Self { order, coefficients })
+        if coefficients.len() != Self::count(order) {
+            return None;
+        }
+        let mut out = Self { order, planes: Vec::new(), lines: Vec::new(), coefficients: Vec::new() };
+        let mut rest = &coefficients[..];
+        for i in (0..=order).rev() {
+            let first = out.lines.len();
+            for j in (0..=order - i).rev() {
+                let (line, others) = rest.split_at(order - i - j + 1);
+                rest = others;
+                if let Some(top) = line.iter().position(|&c| c != 0.0) {
+                    let from = out.coefficients.len();
+                    out.coefficients.extend(&line[top..]);
+                    out.lines.push(Line { power: j, terms: (from, out.coefficients.len()) });
+                }
+            }
+            if first < out.lines.len() {
+                out.planes.push(Plane { power: i, lines: (first, out.lines.len()) });
+            }
+        }
+        Some(out)
     }
 
-    /// Horner's rule in x, y and z for anything that can be multiplied by a coordinate and added to.
+    /// Horner's rule in x, y and z for anything that can be multiplied by a coordinate and added to. Powers
+    /// that the polynomial does not have are skipped.
+    #[inline(always)]
     fn horner<T>(
         &self,
         zero: impl Fn() -> T,
         mut times: impl FnMut(&mut T, usize),
-        add: impl Fn(&mut T, T),
+        add: impl Fn(&mut T, &T),
         constant: impl Fn(&mut T, f64),
     ) -> T {
-        let mut next = self.coefficients.iter();
         let mut in_x = zero();
-        for i in (0..=self.order).rev() {
+        let mut x = self.order;
+        for plane in &self.planes {
+            (plane.power..x).for_each(|_| times(&mut in_x, 0));
+            x = plane.power;
             let mut in_y = zero();
-            for j in (0..=self.order - i).rev() {
+            let mut y = self.order;
+            for line in &self.lines[plane.lines.0..plane.lines.1] {
+                (line.power..y).for_each(|_| times(&mut in_y, 1));
+                y = line.power;
                 let mut in_z = zero();
-                for _ in 0..=self.order - i - j {
-                    times(&mut in_z, 2);
-                    constant(&mut in_z, *next.next().unwrap_or(&0.0));
+                for (i, &c) in self.coefficients[line.terms.0..line.terms.1].iter().enumerate() {
+                    if i > 0 {
+                        times(&mut in_z, 2);
+                    }
+                    constant(&mut in_z, c);
                 }
-                times(&mut in_y, 1);
-                add(&mut in_y, in_z);
+                add(&mut in_y, &in_z);
             }
-            times(&mut in_x, 0);
-            add(&mut in_x, in_y);
+            (0..y).for_each(|_| times(&mut in_y, 1));
+            add(&mut in_x, &in_y);
         }
+        (0..x).for_each(|_| times(&mut in_x, 0));
         in_x
     }
 
@@ -96,44 +148,57 @@ impl Algebraic {
             },
             |(v, g), (w, h)| {
                 *v += w;
-                *g += h;
+                *g += *h;
             },
             |(v, _), c| *v += c,
         )
     }
 
     /// The polynomial along `p + t * d`.
-    fn along(&self, p: Vec3, d: Vec3) -> Univariate {
+    fn along<const N: usize>(&self, p: Vec3, d: Vec3) -> Univariate<N> {
         self.horner(
-            Univariate::new,
-            |v, axis| {
-                if v.is_empty() {
-                    return;
-                }
-                v.push(0.0);
-                for k in (1..v.len()).rev() {
-                    v[k] = v[k] * p[axis] + v[k - 1] * d[axis];
-                }
-                v[0] *= p[axis];
-            },
+            || Univariate { terms: [0.0; N], count: 0 },
+            |v, axis| v.times(p[axis], d[axis]),
             |v, w| {
-                if v.len() < w.len() {
-                    v.resize(w.len(), 0.0);
-                }
-                v.iter_mut().zip(w).for_each(|(a, b)| *a += b);
+                v.count = v.count.max(w.count);
+                v.terms[..w.count].iter_mut().zip(&w.terms[..w.count]).for_each(|(a, b)| *a += b);
             },
-            |v, c| match v.first_mut() {
-                Some(first) => *first += c,
-                None if c != 0.0 => v.push(c),
-                None => {}
+            |v, c| {
+                v.terms[0] += c;
+                v.count = v.count.max(1);
             },
         )
     }
 
-    /// The ray's point closest to the origin, and the polynomial from there.
-    fn expanded(&self, ray: &Ray) -> (f64, Univariate) {
+    /// Calls `solve` with the ray's point closest to the origin and the polynomial from there.
+    fn with_expanded<R>(&self, ray: &Ray, solve: impl Fn(f64, &[f64]) -> R) -> R {
         let shift = -ray.origin.dot(ray.dir);
-        (shift, self.along(ray.at(shift), ray.dir))
+        let p = ray.at(shift);
+        match self.order {
+            0..=4 => solve(shift, self.along::<5>(p, ray.dir).slice()),
+            5..=8 => solve(shift, self.along::<9>(p, ray.dir).slice()),
+            _ => solve(shift, self.along::<{ Self::MAX_ORDER + 1 }>(p, ray.dir).slice()),
+        }
+    }
+}
+
+impl<const N: usize> Univariate<N> {
+    /// Times `a + b t`.
+    #[inline(always)]
+    fn times(&mut self, a: f64, b: f64) {
+        if self.count == 0 {
+            return;
+        }
+        let n = self.count.min(N - 1);
+        for k in (1..=n).rev() {
+            self.terms[k] = self.terms[k] * a + self.terms[k - 1] * b;
+        }
+        self.terms[0] *= a;
+        self.count = n + 1;
+    }
+
+    fn slice(&self) -> &[f64] {
+        &self.terms[..self.count]
     }
 }
 
@@ -143,17 +208,18 @@ impl Shape for Algebraic {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let (shift, c) = self.expanded(ray);
-        let range = Range::new(range.min - shift, range.max - shift);
-        out.extend(
-            polynomial::roots(&c, range, Touching::Once).into_iter().map(|s| Crossing::new(s + shift)),
-        );
+        let (shift, found) = self.with_expanded(ray, |shift, c| {
+            let range = Range::new(range.min - shift, range.max - shift);
+            (shift, polynomial::roots(c, range, Touching::Once))
+        });
+        out.extend(found.into_iter().map(|s| Crossing::new(s + shift)));
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let (shift, c) = self.expanded(ray);
-        let range = Range::new(range.min - shift, range.max - shift);
-        polynomial::roots(&c, range, Touching::Once).first().map(|&s| Crossing::new(s + shift))
+        self.with_expanded(ray, |shift, c| {
+            let range = Range::new(range.min - shift, range.max - shift);
+            polynomial::first_root(c, range, Touching::Once).map(|s| Crossing::new(s + shift))
+        })
     }
 
     fn contains(&self, p: Vec3) -> bool {
@@ -182,7 +248,7 @@ impl Shape for Algebraic {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.coefficients.len() * size_of::<f64>()
+        size_of_val(&self.coefficients[..]) + size_of_val(&self.lines[..]) + size_of_val(&self.planes[..])
     }
 }
 

@@ -47,6 +47,13 @@ impl Segment {
         }
     }
 
+    /// The corners of a box around it.
+    fn extent(&self) -> (Vec2, Vec2) {
+        let control = if let Segment::Curve(_, c, _) = self { *c } else { self.start() };
+        let (a, b) = (self.start(), self.end());
+        (a.min(b).min(control), a.max(b).max(control))
+    }
+
     /// Direction in which the segment runs; not unit.
     fn tangent(&self, w: f64) -> Vec2 {
         match *self {
@@ -119,6 +126,57 @@ pub struct Glyph {
     outline: Vec<Segment>,
     thickness: f64,
     bounds: Aabb,
+    bands: Bands,
+}
+
+/// Which segments reach into each of a row of bands of equal height.
+#[derive(Clone, Debug, PartialEq)]
+struct Bands {
+    low: f64,
+    per_height: f64,
+    /// Where each band's segments begin in `segments`; one entry more than there are bands.
+    starts: Vec<u32>,
+    segments: Vec<u32>,
+    /// Least and greatest x, and first band, of each segment.
+    extents: Vec<(f64, f64, u32)>,
+}
+
+impl Bands {
+    /// A few segments reach into a band.
+    fn new(outline: &[Segment], bounds: &Aabb) -> Self {
+        let count = outline.len().clamp(1, 256);
+        let height = bounds.max.y - bounds.min.y;
+        let per_height = if height > 0.0 { count as f64 / height } else { 0.0 };
+        let mut bands = Self {
+            low: bounds.min.y,
+            per_height,
+            starts: vec![0; count + 1],
+            segments: Vec::new(),
+            extents: Vec::new(),
+        };
+        let mut lists = vec![Vec::new(); count];
+        for (i, segment) in outline.iter().enumerate() {
+            let (low, high) = segment.extent();
+            let (first, last) = (bands.number(low.y), bands.number(high.y));
+            bands.extents.push((low.x, high.x, first as u32));
+            lists[first..=last].iter_mut().for_each(|list| list.push(i as u32));
+        }
+        for (k, list) in lists.into_iter().enumerate() {
+            bands.segments.extend(list);
+            bands.starts[k + 1] = bands.segments.len() as u32;
+        }
+        bands
+    }
+
+    /// The band at a height, or the one next to it.
+    fn number(&self, y: f64) -> usize {
+        let last = self.starts.len() - 2;
+        (((y - self.low) * self.per_height).max(0.0) as usize).min(last)
+    }
+
+    fn at(&self, band: usize) -> &[u32] {
+        &self.segments[self.starts[band] as usize..self.starts[band + 1] as usize]
+    }
 }
 
 /// Parts of the surface: a wall's number counts from 2.
@@ -136,13 +194,18 @@ impl Glyph {
                 bounds = bounds.extended(p.extend(0.0)).extended(p.extend(thickness));
             }
         }
-        Self { outline, thickness, bounds }
+        let bands = Bands::new(&outline, &bounds);
+        Self { outline, thickness, bounds, bands }
     }
 
     /// Whether the outline holds a point of the plane.
     fn holds(&self, p: Vec2) -> bool {
         let mut inside = false;
-        for segment in &self.outline {
+        for &i in self.bands.at(self.bands.number(p.y)) {
+            if self.bands.extents[i as usize].1 <= p.x {
+                continue;
+            }
+            let segment = &self.outline[i as usize];
             for w in segment.sign_changes(|q| q.y - p.y) {
                 inside ^= segment.at(w).x > p.x;
             }
@@ -164,15 +227,47 @@ impl Glyph {
             return;
         }
         let (low, high) = (self.thickness.min(0.0), self.thickness.max(0.0));
-        for (i, segment) in self.outline.iter().enumerate() {
-            for w in segment.sign_changes(|p| d.perp_dot(p - o)) {
-                let t = (segment.at(w) - o).dot(d) / squared;
-                let z = ray.origin.z + t * ray.dir.z;
-                if range.contains(t) && z >= low && z <= high {
-                    out.push(Crossing { t, part: WALLS + i as u32, uv: Vec2::new(w, 0.0) });
+        let Some((from, to)) = self.way(ray, range) else { return };
+        let (a, b) = (o + from * d, o + to * d);
+        let (left, right) = (a.x.min(b.x), a.x.max(b.x));
+        let (first, last) = (self.bands.number(a.y.min(b.y)), self.bands.number(a.y.max(b.y)));
+        for band in first..=last {
+            for &i in self.bands.at(band) {
+                let (least, greatest, lowest) = self.bands.extents[i as usize];
+                // A segment that reaches into several bands is met in the first of them.
+                if greatest < left || least > right || band != first.max(lowest as usize) {
+                    continue;
+                }
+                let segment = &self.outline[i as usize];
+                for w in segment.sign_changes(|p| d.perp_dot(p - o)) {
+                    let t = (segment.at(w) - o).dot(d) / squared;
+                    let z = ray.origin.z + t * ray.dir.z;
+                    if range.contains(t) && z >= low && z <= high {
+                        out.push(Crossing { t, part: WALLS + i, uv: Vec2::new(w, 0.0) });
+                    }
                 }
             }
         }
+    }
+
+    /// The part of a ray that may be inside the bounds, a little more than that.
+    fn way(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
+        let size = self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
+        let slack = rounding(64.0 * (size + ray.origin.abs().max_element()));
+        let (mut from, mut to) = (range.min, range.max);
+        for axis in 0..3 {
+            let (low, high) = (self.bounds.min[axis] - slack, self.bounds.max[axis] + slack);
+            let (o, d) = (ray.origin[axis], ray.dir[axis]);
+            if d == 0.0 {
+                if o < low || o > high {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((low - o) / d, (high - o) / d);
+            (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+        }
+        (from <= to).then_some((from, to))
     }
 }
 

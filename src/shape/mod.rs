@@ -77,6 +77,11 @@ pub(crate) fn rounding(scale: f64) -> f64 {
     16.0 * EPSILON * scale
 }
 
+thread_local! {
+    /// A list that is used again and again.
+    static SPARE: std::cell::Cell<Vec<Crossing>> = const { std::cell::Cell::new(Vec::new()) };
+}
+
 /// One place where a ray crosses a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
@@ -123,9 +128,12 @@ pub trait Shape: Debug + Send + Sync {
 
     /// The nearest crossing inside `range`.
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut all = Vec::new();
+        let mut all = SPARE.take();
+        all.clear();
         self.crossings(ray, range, &mut all);
-        nearest_of(&all)
+        let nearest = nearest_of(&all);
+        SPARE.set(all);
+        nearest
     }
 
     /// Whether `p` is inside the solid. Surfaces without an inside say no.

@@ -56,6 +56,31 @@ impl Joint {
         Self { arc, far, height, low: -height * bottom / (arc - bottom), high: 2.0 * bottom - height }
     }
 
+    /// The part of a line next to the surface: in its heights, and no further from the axis than it gets.
+    fn span(&self, ray: &Ray, slack: f64) -> Option<(f64, f64)> {
+        let slack = 1e-6 * self.arc + slack;
+        let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (o, d) = (ray.origin, ray.dir);
+        if d.y != 0.0 {
+            let ends = [self.low - slack, self.high + slack].map(|y| (y - o.y) / d.y);
+            (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        } else if o.y < self.low - slack || o.y > self.high + slack {
+            return None;
+        }
+        let widest = self.arc - self.far + slack;
+        let (across, along) = (o.x * d.x + o.z * d.z, d.x * d.x + d.z * d.z);
+        if along > 0.0 {
+            let middle = -across / along;
+            let (x, z) = (o.x + middle * d.x, o.z + middle * d.z);
+            let half = ((widest * widest - x * x - z * z) / along).sqrt();
+            if half.is_nan() {
+                return None;
+            }
+            (from, to) = (from.max(middle - half), to.min(middle + half));
+        }
+        (from < to).then_some((from, to))
+    }
+
     /// Distance from the arc's center, seen in the plane of the axis and `p`.
     fn reach(&self, p: Vec3) -> f64 {
         (p.x.hypot(p.z) + self.far).hypot(p.y - self.height)
@@ -116,7 +141,8 @@ impl Ovus {
         let c = arc_quartic(joint, near, ray.dir);
         let size = 2.0 * (self.size() + joint.arc);
         let slack = COINCIDENT * self.size();
-        for s in roots(&c, Range::new(-size, size), Touching::Skip) {
+        let Some((from, to)) = joint.span(ray, slack) else { return };
+        for s in roots(&c, Range::new((from - shift).max(-size), (to - shift).min(size)), Touching::Skip) {
             let t = s + shift;
             let p = ray.at(t);
             // The quartic has the mirrored arc as well.

@@ -74,6 +74,9 @@ impl Superellipsoid {
         if enter.is_nan() || enter >= leave {
             return;
         }
+        if self.flat >= 1.0 && self.tall >= 1.0 {
+            return self.visit_convex(ray, (enter, leave), |t| !range.contains(t) || found(t));
+        }
         let mut left = (enter, self.value(ray.at(enter)));
         // With one exponent round and one star-like the function may bend both ways between two planes.
         let mixed = (self.flat < 1.0) != (self.tall < 1.0);
@@ -87,6 +90,37 @@ impl Superellipsoid {
                     return;
                 }
                 left = right;
+            }
+        }
+    }
+
+    /// Where both exponents make norms the function bends one way only: there is one minimum along a line, and
+    /// it lies beside the smallest of the values between the pieces.
+    fn visit_convex(&self, ray: &Ray, (enter, leave): (f64, f64), mut found: impl FnMut(f64) -> bool) {
+        let mut ends: SmallVec<[(f64, f64); 11]> = SmallVec::new();
+        ends.push((enter, self.value(ray.at(enter))));
+        let mut crossed = false;
+        for t in cuts(ray, enter, leave) {
+            let (left, right) = (ends[ends.len() - 1], (t, self.value(ray.at(t))));
+            if (left.1 < 0.0) != (right.1 < 0.0) {
+                crossed = true;
+                if !found(self.root(ray, left, right)) || right.1 >= 0.0 {
+                    return;
+                }
+            }
+            ends.push(right);
+        }
+        if crossed || ends[0].1 < 0.0 {
+            return;
+        }
+        let least = (0..ends.len()).min_by(|&a, &b| ends[a].1.total_cmp(&ends[b].1)).unwrap_or(0);
+        for i in [least.wrapping_sub(1), least] {
+            if i < ends.len() - 1
+                && let Some(turn) = self.turn(ray, ends[i], ends[i + 1])
+                && turn.1 < 0.0
+            {
+                let _ = found(self.root(ray, ends[i], turn)) && found(self.root(ray, turn, ends[i + 1]));
+                return;
             }
         }
     }
@@ -113,6 +147,7 @@ impl Superellipsoid {
     /// on the way there where the sign is the other.
     fn turn(&self, ray: &Ray, left: (f64, f64), right: (f64, f64)) -> Option<(f64, f64)> {
         let outside = left.1 >= 0.0;
+        let convex = self.flat >= 1.0 && self.tall >= 1.0;
         // Towards zero from both ends: falling then rising outside, rising then falling inside.
         let slope = |t: f64| {
             let d = self.gradient(ray.at(t)).dot(ray.dir);
@@ -133,7 +168,12 @@ impl Superellipsoid {
             if b - a <= 1e-9 * (1.0 + t.abs()) {
                 return None;
             }
-            if slope(t) < 0.0 { a = t } else { b = t }
+            let rise = slope(t);
+            // Where the function bends upwards it stays above its tangents.
+            if outside && convex && f - rise.abs() * (b - a) > 0.0 {
+                return None;
+            }
+            if rise < 0.0 { a = t } else { b = t }
         }
         None
     }
