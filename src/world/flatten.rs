@@ -183,12 +183,16 @@ impl Flattened {
         };
         let clips: Vec<Built> =
             object.clipped_by.iter().filter_map(|c| self.solid(c, &region(outer))).collect();
-        for clip in &clips {
-            bounds = bounds.intersection(clip.bounds);
+        // What clips and bounds enclose is the surface; an inverted solid reaches beyond it.
+        let reaches_beyond = outer.inverted != object.flags.inverse;
+        if !reaches_beyond {
+            bounds = clips.iter().fold(bounds, |b, clip| b.intersection(clip.bounds));
         }
         let gates: Vec<Built> =
             object.bounded_by.iter().filter_map(|b| self.solid(b, &region(outer))).collect();
-        bounds = shrunk(bounds, object, &gates);
+        if !reaches_beyond {
+            bounds = shrunk(bounds, object, &gates);
+        }
         self.aim_at(target, object, outer, bounds);
         let gates: Vec<Solid> =
             if keeps_bounds(object) { gates.into_iter().map(|g| g.solid).collect() } else { Vec::new() };

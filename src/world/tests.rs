@@ -221,3 +221,17 @@ fn a_ray_that_starts_on_a_shared_face_sees_the_frame() {
         assert!((found.expect("the frame").t - 0.35).abs() < 0.01, "{direction}");
     }
 }
+
+#[test]
+fn bounds_of_what_is_taken_away_do_not_bound_the_rest() {
+    let mut hole = csg(
+        CsgOp::Intersection,
+        &[&shape(Sphere::new(Vec3::ZERO, 1.0)), &shape(Cuboid::new(Vec3::splat(-2.0), Vec3::splat(2.0)))],
+    );
+    hole.bounded_by.push(Arc::new(shape(Cuboid::new(Vec3::splat(-1.1), Vec3::splat(1.1)))));
+    let bar = shape(Cuboid::new(Vec3::new(-0.5, -4.0, -0.5), Vec3::new(0.5, 4.0, 0.5)));
+    let rest = ObjectQuery::new(&csg(CsgOp::Difference, &[&bar, &hole]));
+    let down = |y: f64| Ray::new(Vec3::new(0.0, y, -5.0), Vec3::Z);
+    assert!(rest.trace(&down(-3.0)).is_some(), "beyond the hole's bounds");
+    assert!(rest.trace(&down(0.0)).is_none(), "in the hole");
+}
