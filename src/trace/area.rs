@@ -14,6 +14,11 @@ const CONTRAST: f32 = 0.1;
 /// Lamps that a point looks at for the truth.
 const REFERENCE_LAMPS: u32 = 16;
 
+/// Lights of fewer lamps are always tested as a whole.
+const SPARSE_FROM: usize = 16;
+/// One lamp of so many is tested where corners agree.
+const SPARSE_SHARE: u32 = 12;
+
 /// Marks a lamp that has not been tested.
 const UNTESTED: f32 = f32::NAN;
 
@@ -30,6 +35,12 @@ impl Part {
         let halves = |(a, b): (u32, u32)| ((a, (a + b) / 2), ((a + b).div_ceil(2), b));
         let ((ul, uh), (vl, vh)) = (halves(self.u), halves(self.v));
         [Part { u: ul, v: vl }, Part { u: uh, v: vl }, Part { u: ul, v: vh }, Part { u: uh, v: vh }]
+    }
+
+    /// Whether so many subdivisions reach every lamp.
+    fn takes_all(self, levels: u32) -> bool {
+        let side = (self.u.1 - self.u.0).max(self.v.1 - self.v.0);
+        1u64.checked_shl(levels).is_none_or(|reached| reached >= u64::from(side))
     }
 
     fn is_wide(self) -> bool {
@@ -67,6 +78,8 @@ impl Tracer<'_> {
         let lamps = area.size1 as usize * area.size2 as usize;
         let axes = area.axes(arrival.direction);
         let exposure = Exposure { departure, inside, source, area, axes, color: arrival.color };
+        self.lamps.clear();
+        self.lamps.resize(lamps, Rgb::splat(UNTESTED));
         let few = match (self.settings.overrides.reference, class) {
             (true, RayClass::Radiosity) => Some(1),
             (true, _) => Some(REFERENCE_LAMPS),
@@ -75,10 +88,22 @@ impl Tracer<'_> {
         if let Some(few) = few.filter(|&n| (n as usize) < lamps) {
             return self.few_lamps(&exposure, few.max(1));
         }
-        self.lamps.clear();
-        self.lamps.resize(lamps, Rgb::splat(UNTESTED));
         let whole = Part { u: (0, area.size1 - 1), v: (0, area.size2 - 1) };
+        if self.settings.sparse_lamps && lamps >= SPARSE_FROM && whole.takes_all(area.adaptive) {
+            return self.sparsely(&exposure, whole);
+        }
         self.part(&exposure, whole, 0)
+    }
+
+    /// The same in the mean over many samples. The edge of whatever is large passes over a corner before it
+    /// passes over any other lamp: where corners agree, a few lamps by chance speak for all.
+    fn sparsely(&mut self, e: &Exposure, whole: Part) -> Rgb {
+        let (u, v) = (whole.u, whole.v);
+        let corners = [(u.0, v.0), (u.1, v.0), (u.0, v.1), (u.1, v.1)].map(|(u, v)| self.lamp(e, u, v));
+        if has_contrast(&corners) {
+            return self.part(e, whole, 0);
+        }
+        self.few_lamps(e, (e.area.size1 * e.area.size2 / SPARSE_SHARE).max(2))
     }
 
     fn part(&mut self, e: &Exposure, part: Part, level: u32) -> Rgb {
@@ -98,17 +123,13 @@ impl Tracer<'_> {
         if !self.lamps[place].x.is_nan() {
             return self.lamps[place];
         }
-        let color = self.lamp_alone(e, u, v);
-        self.lamps[place] = color;
-        color
-    }
-
-    fn lamp_alone(&mut self, e: &Exposure, u: u32, v: u32) -> Rgb {
         let (u, v) = self.lamp_place(e.area.jitter, u, v);
         let offset = e.area.offset(e.axes, u, v);
         let (direction, distance) = e.source.light.towards(e.departure.point, offset);
         let ray = e.departure.ray(direction);
-        self.transmitted(&ray, distance, e.inside, e.source, e.color)
+        let color = self.transmitted(&ray, distance, e.inside, e.source, e.color);
+        self.lamps[place] = color;
+        color
     }
 
     /// The mean over some lamps, each as likely as it weighs in the mean over all. They are spread over the
@@ -119,7 +140,7 @@ impl Tracer<'_> {
         for i in 0..few {
             let across = (f64::from(i) / f64::from(few) + first).fract();
             let along = (f64::from(i.reverse_bits()) / 4_294_967_296.0 + second).fract();
-            sum += self.lamp_alone(e, weighted(across, e.area.size1), weighted(along, e.area.size2));
+            sum += self.lamp(e, weighted(across, e.area.size1), weighted(along, e.area.size2));
         }
         sum / few as f32
     }
@@ -185,5 +206,42 @@ mod tests {
             assert_eq!(counts, weights(size), "{size}");
         }
         assert_eq!(weights(3), [0.25, 0.5, 0.25]);
+    }
+
+    #[test]
+    fn levels_that_reach_every_lamp() {
+        let row = |size: u32| Part { u: (0, size - 1), v: (0, 0) };
+        assert!(row(2).takes_all(0) && row(3).takes_all(1) && row(9).takes_all(3) && row(9).takes_all(100));
+        assert!(!row(3).takes_all(0) && !row(9).takes_all(2) && !row(6).takes_all(2));
+    }
+
+    /// A room's floor under a lamp of 8x8 with a ball and a thin bar between: the mean over many samples is
+    /// that of all lamps.
+    #[test]
+    fn chance_agrees_with_all_lamps_in_the_mean() {
+        let text = "#version 3.7; global_settings { assumed_gamma 1 }
+            camera { orthographic location 5*y look_at 0 right 4*x up 4*z }
+            light_source { 4*y rgb 1 area_light 2*x, 2*z, 8, 8 }
+            plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }
+            sphere { <-0.8, 1.5, 0>, 0.4 } cylinder { <1, 2, -2>, <1, 2, 2>, 0.03 }";
+        let source = crate::interp::SceneSource::Text { name: "room".into(), text: text.into() };
+        let scene = crate::interp::interpret(source, &Default::default()).scene.unwrap();
+        let world = crate::world::World::prepare(scene);
+        let settings = crate::trace::Settings { width: 16, height: 16, ..Default::default() };
+        let sparse = crate::trace::Settings { sparse_lamps: true, ..settings.clone() };
+        let (mut all, mut few) = (Tracer::new(&world, &settings), Tracer::new(&world, &sparse));
+        for i in 0..256u32 {
+            let (x, y) = (i % 16, i / 16);
+            let place = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let exact = all.pixel(place.0, place.1).rgb.x;
+            let n = 200;
+            let mut mean = 0.0;
+            for k in 0..n {
+                few.seed(x, y, k);
+                mean += few.pixel(place.0, place.1).rgb.x / n as f32;
+            }
+            assert!((mean - exact).abs() < 0.04, "{x} {y}: {mean} {exact}");
+        }
+        assert!(few.counters().shadow_rays < 200 * all.counters().shadow_rays / 2);
     }
 }

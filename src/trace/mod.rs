@@ -39,6 +39,9 @@ pub struct Settings {
     /// Whether the picture has an alpha channel.
     pub alpha: bool,
     pub overrides: Overrides,
+    /// Whether each place gets samples until its noise is gone, so that a sample may leave to chance which
+    /// lamps of an area light it tests.
+    pub sparse_lamps: bool,
 }
 
 /// What replaces words of the scene; what is `None` stays as the scene has it.
@@ -58,7 +61,14 @@ pub struct Overrides {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { width: 160, height: 120, quality: 9, alpha: false, overrides: Overrides::default() }
+        Self {
+            width: 160,
+            height: 120,
+            quality: 9,
+            alpha: false,
+            overrides: Overrides::default(),
+            sparse_lamps: false,
+        }
     }
 }
 

@@ -92,6 +92,7 @@ impl Plan {
             quality: self.quality,
             alpha: self.alpha,
             overrides: self.overrides,
+            sparse_lamps: self.accuracy.is_some(),
         }
     }
 }

@@ -100,6 +100,11 @@ impl<'a> ScenePictures<'a> {
         trace::Settings { width: size.width, height: size.height, overrides, ..trace::Settings::default() }
     }
 
+    /// For pictures whose noise is sampled away.
+    fn sparse(&self, size: Size, overrides: trace::Overrides) -> trace::Settings {
+        trace::Settings { sparse_lamps: true, ..self.tracing(size, overrides) }
+    }
+
     fn adaptive(
         &self,
         tracing: &trace::Settings,
@@ -152,6 +157,7 @@ impl Subject for ScenePictures<'_> {
         let antialias = match knobs.sampling {
             Sampling::Adaptive { max_error } => {
                 let sampling = Adaptive { target: Some(max_error), ..self.sampling(size) };
+                let tracing = self.sparse(size, knobs.overrides);
                 let (picture, outcome) = self.adaptive(&tracing, &sampling, &until);
                 return (outcome.ended != Ended::Cancelled).then_some(picture);
             }
@@ -173,7 +179,7 @@ impl Subject for ScenePictures<'_> {
         if let Some(kept) = kept.filter(|k| k.rmse <= 1.01 * target) {
             return Some(kept);
         }
-        let tracing = self.tracing(size, trace::Overrides::default());
+        let tracing = self.sparse(size, trace::Overrides::default());
         // Several samples everywhere, so that little is missed that one sample a pixel would not meet.
         let limits = Adaptive {
             target: Some(target),
