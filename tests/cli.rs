@@ -279,3 +279,30 @@ fn explain_says_what_was_built_and_what_was_left_out() {
     let done = folder.glint(&["explain", "a.pov"]);
     assert!(stdout(&done).contains("1 checker") && stdout(&done).contains("left out"));
 }
+
+#[test]
+fn includes_are_explained() {
+    let folder = Folder::new("includes");
+    folder.write("own.inc", "#declare A = 1;\n");
+    folder.write(
+        "scene.pov",
+        "#version 3.7;\n#include \"own.inc\"\n#include \"colors.inc\"\nsphere { 0, A pigment { Red } }\n",
+    );
+    let said = folder.glint(&["check", "--explain-includes", "--includes", "embedded", "scene.pov"]);
+    let text = String::from_utf8(said.stdout).unwrap();
+    assert!(
+        text.contains("  own.inc: own.inc\n") && text.contains("  colors.inc: embedded in Glint\n"),
+        "{text}"
+    );
+}
+
+#[test]
+fn limits_and_strictness_are_options() {
+    let folder = Folder::new("limits");
+    folder.write("loop.pov", "#while (1) #end\n");
+    let said = folder.glint(&["check", "--limit", "passes=100", "loop.pov"]);
+    assert!(String::from_utf8_lossy(&said.stderr).contains("more than 100 passes"));
+    folder.write("new.pov", "#version 3.8;\nsphere { 0, 1 }\n");
+    assert!(folder.glint(&["check", "new.pov"]).status.success());
+    assert!(!folder.glint(&["check", "--strict=reference", "new.pov"]).status.success());
+}

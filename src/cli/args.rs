@@ -265,6 +265,9 @@ pub struct CheckArgs {
     /// The height that the scene is told
     #[arg(short = 'H', long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(1..=65535))]
     pub height: u32,
+    /// Say which included file was taken from where
+    #[arg(long)]
+    pub explain_includes: bool,
     /// Print one JSON object a scene
     #[arg(long)]
     pub json: bool,

@@ -20,6 +20,8 @@ struct Report {
     light_sources: usize,
     warnings: Vec<String>,
     unsupported: Vec<String>,
+    /// Which included file was taken from where.
+    includes: Vec<String>,
     parse_cpu_s: f64,
     prepare_cpu_s: f64,
     peak_rss_bytes: u64,
@@ -32,7 +34,9 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
     for path in &args.scenes {
         match stack::with_room(path, || check(path, &options, args.quiet)) {
             Ok(report) if args.json => json::print(&report)?,
-            Ok(report) if !args.quiet => json::print_text(&text(&report))?,
+            Ok(report) if !args.quiet || args.explain_includes => {
+                json::print_text(&text(&report, args.explain_includes))?
+            }
             Ok(_) => {}
             Err(failure) => {
                 if args.json {
@@ -59,13 +63,14 @@ fn check(path: &Path, options: &Options, quiet: bool) -> Result<Report, Failure>
         light_sources: counts.light_sources,
         warnings: parsed.warnings,
         unsupported: parsed.unsupported,
+        includes: parsed.includes,
         parse_cpu_s: read - start,
         prepare_cpu_s: cpu_seconds() - read,
         peak_rss_bytes: peak_rss_bytes(),
     })
 }
 
-fn text(r: &Report) -> String {
+fn text(r: &Report, with_includes: bool) -> String {
     let mut text = format!(
         "{}: {} finite objects, {} infinite objects, {} light sources, {} warnings\n",
         r.scene,
@@ -76,6 +81,9 @@ fn text(r: &Report) -> String {
     );
     if !r.unsupported.is_empty() {
         text.push_str(&format!("  not rendered yet: {}\n", r.unsupported.join(", ")));
+    }
+    if with_includes {
+        r.includes.iter().for_each(|line| text.push_str(&format!("  {line}\n")));
     }
     text
 }

@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::source::{Diagnostic, Files};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// How scenes are read, the same for all scenes of a batch.
 #[derive(Clone, Debug)]
@@ -80,6 +80,8 @@ pub struct Parsed {
     /// One line each: place and message.
     pub warnings: Vec<String>,
     pub unsupported: Vec<String>,
+    /// Files that the scene includes or reads as text: where each was taken from.
+    pub includes: Vec<String>,
     /// Of all text that was read, and of what the scene was told.
     pub fingerprint: u64,
 }
@@ -105,7 +107,18 @@ pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Fail
     }
     let warnings = warnings.iter().map(|w| diagnostic::line(w, &files)).collect();
     let fingerprint = fingerprint(&files, &options.interp);
-    Ok(Parsed { scene, warnings, unsupported, fingerprint })
+    let includes =
+        files.names().skip(1).map(|(name, path)| origin(name, path.map(PathBuf::as_path))).collect();
+    Ok(Parsed { scene, warnings, unsupported, includes, fingerprint })
+}
+
+/// `colors.inc: embedded` or `colors.inc: /usr/share/…/colors.inc`.
+fn origin(name: &str, path: Option<&Path>) -> String {
+    let file = Path::new(name).file_name().map_or(name.into(), |f| f.to_string_lossy());
+    match path {
+        Some(path) => format!("{file}: {}", path.display()),
+        None => format!("{file}: embedded in Glint"),
+    }
 }
 
 fn fingerprint(files: &Files, told: &interp::Options) -> u64 {

@@ -55,6 +55,11 @@ impl Files {
         &self.files[id.0 as usize].text
     }
 
+    /// Names of all texts in the order in which they were met, and where each was read from.
+    pub fn names(&self) -> impl Iterator<Item = (&str, Option<&PathBuf>)> {
+        self.files.iter().map(|f| (f.name.as_str(), f.path.as_ref()))
+    }
+
     /// All texts in the order in which they were met.
     pub fn texts(&self) -> impl Iterator<Item = &[u8]> {
         self.files.iter().map(|f| &*f.text)
