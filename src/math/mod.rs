@@ -6,6 +6,7 @@ pub mod chi_square;
 pub mod field;
 pub mod jitter;
 pub mod noise;
+pub mod polyhedron;
 pub mod polynomial;
 pub mod random;
 mod range;

@@ -190,6 +190,11 @@ pub trait Shape: Debug + Send + Sync {
     /// The shape's name in the scene language.
     fn kind(&self) -> &'static str;
 
+    /// `(n, d)` with a unit `n`, if the inside is where `n · p <= d`.
+    fn half_space(&self) -> Option<(Vec3, f64)> {
+        None
+    }
+
     /// The shape, if it is a mesh: cameras look from its faces.
     fn as_mesh(&self) -> Option<&Mesh> {
         None

@@ -75,6 +75,10 @@ impl Shape for Plane {
         (p - self.height(p) * self.normal, rounding(self.scale(p)))
     }
 
+    fn half_space(&self) -> Option<(Vec3, f64)> {
+        Some((self.normal, self.distance))
+    }
+
     fn kind(&self) -> &'static str {
         "plane"
     }

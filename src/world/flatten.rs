@@ -12,7 +12,7 @@ use super::probe::Reach;
 use super::{Inside, WorldLight};
 use crate::material::{Attached, Texture};
 use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, Transform, Vec3};
+use crate::math::{Aabb, Transform, Vec3, polyhedron};
 use crate::scene::{Body, CsgOp, Flags, LightSource, Object};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -296,6 +296,10 @@ impl Flattened {
         }
         let child_bounds: Vec<Aabb> = built.iter().map(|b| b.bounds).collect();
         let op = effective(op, inner.inverted);
+        let between_planes = match op {
+            Op::Intersection => self.between_planes(&built),
+            Op::Union | Op::Merge => Aabb::INFINITE,
+        };
         let bounds = match op {
             Op::Intersection => child_bounds.iter().fold(Aabb::INFINITE, |a, b| a.intersection(*b)),
             Op::Union | Op::Merge => child_bounds.iter().fold(Aabb::EMPTY, |a, b| a.union(*b)),
@@ -305,7 +309,12 @@ impl Flattened {
             && child_bounds.iter().all(|b| b.is_finite()))
         .then(|| Bvh::build(&child_bounds, Quality::Best));
         let children: Vec<Child> = built.into_iter().map(Built::child).collect();
-        let extent = Extent::combined(op, &children);
+        let mut extent = Extent::combined(op, &children);
+        let bounds = bounds.intersection(between_planes);
+        if !extent.outside {
+            extent.surface = extent.surface.intersection(between_planes);
+            extent.hull = extent.hull.intersection(between_planes);
+        }
         let mut compound = Compound { op, tree, ..Compound::nothing() };
         if compound.tree.is_some() {
             compound.children = children;
@@ -314,6 +323,19 @@ impl Flattened {
         }
         self.geometry.compounds[slot as usize] = compound;
         Built { solid: Solid::Compound(slot), bounds, extent }
+    }
+
+    /// A box around what the planes among the members of an intersection leave.
+    fn between_planes(&self, members: &[Built]) -> Aabb {
+        let plane = |built: &Built| {
+            let Solid::Leaf(leaf) = built.solid else { return None };
+            let leaf = &self.geometry.leaves[leaf as usize];
+            let (n, d) = leaf.shape.half_space().filter(|_| !leaf.inverted)?;
+            let Some(place) = leaf.place.as_ref().map(|p| &p.transform) else { return Some((n, d)) };
+            let normal = place.normal(n).normalize();
+            Some((normal, normal.dot(place.point(d * n))))
+        };
+        polyhedron::bounds(&members.iter().filter_map(plane).collect::<Vec<_>>())
     }
 
     /// What the children (or the shape) of `object` stand in.
