@@ -3,7 +3,7 @@
 use super::accuracy::{Accuracy, Reached};
 use super::plan::Plan;
 use super::report::RenderReport;
-use crate::cli::clock::{Lap, Wall, peak_rss_bytes};
+use crate::cli::clock::{Lap, Wall, cpu_seconds, peak_rss_bytes};
 use crate::cli::exit::Failure;
 use crate::cli::output::Target;
 use crate::cli::progress::Canvas;
@@ -105,8 +105,14 @@ impl<'a> Job<'a> {
         self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).clone()
     }
 
+    /// The first scene's time begins with the process.
+    fn wall(&self) -> Wall {
+        let counted = *self.plan.counted.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        if counted == 0.0 { Wall::of_process() } else { Wall::start() }
+    }
+
     pub fn run(&self) -> Result<RenderReport, Failure> {
-        let wall = Wall::start();
+        let wall = self.wall();
         let mut lap = Lap::new(&self.plan.counted);
         let parsed = scene::parse(&self.task.scene, &self.task.options, self.plan.quiet)?;
         let parse_cpu_s = lap.next();
@@ -190,7 +196,9 @@ impl<'a> Job<'a> {
     ) -> Result<(Counters, Option<Reached>), Failure> {
         let settings = self.plan.trace_settings();
         let rendering = self.plan.settings(world.scene.globals.gamma);
-        let late = accuracy.time_limit.map(|limit| limit - writing_seconds(self.plan));
+        // A processor that others use as well will be as slow at the end as it has been so far.
+        let busy = (wall.seconds() / cpu_seconds().max(1e-3)).clamp(1.0, BUSIEST);
+        let late = accuracy.time_limit.map(|limit| limit - busy * writing_seconds(self.plan));
         let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
         let (pool, canvas) = (&self.plan.pool, &live.canvas);
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
@@ -211,6 +219,9 @@ impl<'a> Job<'a> {
             .map_err(|e| Failure::unavailable(format!("cannot write {}: {e}", path.display())))
     }
 }
+
+/// Times are not stretched by more than this for a busy processor.
+const BUSIEST: f64 = 8.0;
 
 /// About how long it takes to encode and write a picture.
 fn writing_seconds(plan: &Plan) -> f64 {
