@@ -2,6 +2,7 @@ use super::{Observer, Settings, blocks};
 use crate::trace::photon::Landed;
 use crate::trace::{self, Counters, Gathered, Indirect, Photons, Pretrace, Shooting, Tracer};
 use crate::world::World;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -26,12 +27,14 @@ pub fn indirect(
     });
     let radiosity = Pretrace::new(world, tracing, photons.clone(), tiles).map(|mut pretrace| {
         for pass in 0..pretrace.passes() {
-            let (gathered, counted) = trace_pass(&pretrace, pass, pool, observer);
-            counters += counted;
-            if observer.cancelled() {
-                break;
+            for wave in pretrace.waves() {
+                let (gathered, counted) = trace_wave(&pretrace, pass, wave.clone(), pool, observer);
+                counters += counted;
+                if observer.cancelled() {
+                    return pretrace.finish();
+                }
+                pretrace.merge(wave, gathered);
             }
-            pretrace.merge(gathered);
         }
         pretrace.finish()
     });
@@ -90,20 +93,21 @@ fn follow(
     all.into_iter().flat_map(|(_, landed)| landed).collect()
 }
 
-/// All tiles of one pass, in the order of the tiles.
-fn trace_pass(
+/// Some tiles of one pass, in their order.
+fn trace_wave(
     pretrace: &Pretrace,
     pass: usize,
+    wave: Range<usize>,
     pool: &rayon::ThreadPool,
     observer: &dyn Observer,
 ) -> (Vec<Gathered>, Counters) {
-    let next = AtomicUsize::new(0);
-    let all = Mutex::new(Vec::with_capacity(pretrace.tiles()));
+    let next = AtomicUsize::new(wave.start);
+    let all = Mutex::new(Vec::with_capacity(wave.len()));
     let counted = pool.broadcast(|_| {
         let mut tracer = pretrace.tracer();
         loop {
             let tile = next.fetch_add(1, Ordering::Relaxed);
-            if tile >= pretrace.tiles() || observer.cancelled() {
+            if tile >= wave.end || observer.cancelled() {
                 return tracer.counters();
             }
             let gathered = pretrace.trace(&mut tracer, pass, tile);

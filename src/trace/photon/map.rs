@@ -14,10 +14,16 @@ use crate::math::Vec3;
 #[derive(Clone, Debug, Default)]
 pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
-    /// Places once more, side by side for searches.
-    xs: Vec<f32>,
-    ys: Vec<f32>,
-    zs: Vec<f32>,
+    /// What searches read of them.
+    places: Vec<Place>,
+}
+
+/// Sixteen bytes of a photon: a search reads many and keeps few.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(16))]
+struct Place {
+    point: glam::Vec3,
+    axis: u32,
 }
 
 /// Photons around a point.
@@ -66,8 +72,8 @@ impl PhotonMap {
 
     /// Photons as a file kept them, in the order of the tree already.
     pub fn from_sorted(photons: Vec<PackedPhoton>) -> Self {
-        let axis = |a: usize| photons.iter().map(|p| p.place[a]).collect();
-        Self { xs: axis(0), ys: axis(1), zs: axis(2), photons }
+        let place = |p: &PackedPhoton| Place { point: p.place.into(), axis: u32::from(p.axis) };
+        Self { places: photons.iter().map(place).collect(), photons }
     }
 
     pub fn photons(&self) -> &[PackedPhoton] {
@@ -90,10 +96,6 @@ impl PhotonMap {
         if let Some(limit) = limit {
             found.radius = limit.sqrt();
         }
-    }
-
-    fn away(&self, i: usize, point: Vec3) -> Vec3 {
-        Vec3::new(f64::from(self.xs[i]), f64::from(self.ys[i]), f64::from(self.zs[i])) - point
     }
 
     /// Photons nearer than `limit` (squared), the near side of each plane first. If there are more than
@@ -134,8 +136,9 @@ impl PhotonMap {
     fn split(&self, m: &Metric, part: Part, limit: f64, parts: &mut Parts) -> (Vec3, f64, u32) {
         let half = (part.count - 1) / 2;
         let middle = part.first + half;
-        let away = self.away(middle as usize, m.point);
-        let along = away[usize::from(self.photons[middle as usize].axis)];
+        let place = &self.places[middle as usize];
+        let away = place.point.as_dvec3() - m.point;
+        let along = away[place.axis as usize];
         let beyond = along * along;
         let low = Part { first: part.first, count: half, beyond: 0.0 };
         let high = Part { first: middle + 1, count: part.count - 1 - half, beyond: 0.0 };

@@ -2,9 +2,9 @@
 //! in between.
 //!
 //! First the picture is traced coarsely, pass by pass ([`Pretrace`]), to fill the cache. The tiles of a
-//! pass see what earlier passes and they themselves gathered, not each other's new samples; the blocks of
-//! the picture see the finished cache and what they themselves add. So nothing depends on the order in
-//! which threads take them.
+//! pass are taken in waves of a few: they see what earlier passes, earlier waves and they themselves gathered,
+//! not each other's new samples. The blocks of the picture see the finished cache and what they themselves
+//! add. So nothing depends on the order in which threads take them.
 
 mod cache;
 mod directions;

@@ -45,6 +45,11 @@ pub struct Gathered {
 /// A part with fewer points is never finished.
 const FEWEST_POINTS: u32 = 9;
 
+/// Tiles that may be traced side by side. Fewer keep closer to the reference's one-thread order, and gather
+/// less twice; more keep more threads busy. The number does not depend on threads.
+const SMALLEST_WAVE: usize = 4;
+const MOST_WAVES: usize = 32;
+
 /// Numbers drawn before they repeat.
 const CYCLE: usize = 2047;
 
@@ -75,8 +80,11 @@ impl<'w> Pretrace<'w> {
         self.spacings.len()
     }
 
-    pub fn tiles(&self) -> usize {
-        self.tiles.len()
+    /// The tiles of a pass in waves: those of one wave do not see each other's samples, later ones do.
+    pub fn waves(&self) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
+        let count = self.tiles.len();
+        let size = (count / MOST_WAVES).max(SMALLEST_WAVE);
+        (0..count).step_by(size).map(move |first| first..count.min(first + size))
     }
 
     /// A tracer for [`Pretrace::trace`]; one per thread and pass.
@@ -139,10 +147,10 @@ impl<'w> Pretrace<'w> {
         points >= FEWEST_POINTS && (queries == 0 || (wanted > 0 && mean >= f64::from(wanted)))
     }
 
-    /// Takes up what a pass gave, in the order of the tiles.
-    pub fn merge(&mut self, pass: Vec<Gathered>) {
+    /// Takes up what a wave gave, in the order of its tiles.
+    pub fn merge(&mut self, wave: std::ops::Range<usize>, gathered: Vec<Gathered>) {
         let cache = Arc::make_mut(&mut self.lighting.cache);
-        for (tile, gathered) in self.tiles.iter_mut().zip(pass) {
+        for (tile, gathered) in self.tiles[wave].iter_mut().zip(gathered) {
             gathered.samples.into_iter().for_each(|s| cache.insert(s));
             *tile = gathered.progress;
         }
