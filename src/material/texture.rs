@@ -247,3 +247,35 @@ impl<T> Attached<T> {
         Self { value, transform: Transform::IDENTITY }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interp::interpret_str;
+    use crate::pattern::NoiseGenerator;
+
+    /// As the reference does: where a texture that asks for slopes stands twice in a map, the second look sees the
+    /// bumps of the first, and the first has the share of the upper key.
+    #[test]
+    fn of_two_blended_textures_the_upper_comes_first() {
+        let text = "#version 3.7; global_settings { assumed_gamma 1 }
+            plane { y, 0 texture { gradient x texture_map {
+              [0 slope y texture_map { [0.9 pigment { rgb 0 }] [0.9 pigment { rgb 1 }] }]
+              [1 slope y texture_map { [0.9 pigment { rgb 0 }] [0.9 pigment { rgb 1 }] }] } } }";
+        let scene = interpret_str(text).scene.unwrap();
+        let texture = &scene.objects[0].textures[0].value;
+        let hit = Incidence {
+            point: Vec3::new(0.125, 0.0, 0.0),
+            normal: Vec3::Y,
+            direction: -Vec3::Y,
+            uv: crate::math::Vec2::ZERO,
+        };
+        let context = Context { noise: NoiseGenerator::RangeCorrected, waves: 10, hit: None };
+        let (normal, mut seen) = (Cell::new(Vec3::Y), Vec::new());
+        texture.visit(hit.point, &View { context, hit: Some((&hit, &normal)) }, &mut |sample| {
+            seen.push((sample.weight, sample.layers[0].pigment.plain().unwrap().rgb.x));
+            normal.set(Vec3::X);
+        });
+        assert_eq!(seen, [(0.125, 1.0), (0.875, 0.0)]);
+    }
+}
