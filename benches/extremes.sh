@@ -13,7 +13,7 @@ if [ -z "${GLINT:-}" ]; then
 fi
 GLINT=$(realpath "$GLINT")
 width=${WIDTH:-160} height=${HEIGHT:-120}
-scene=$PWD/tests/scenes/extremes/everything.pov
+scene=$PWD/tests/extremes/everything.pov
 mkdir -p target/extremes
 cd target/extremes || exit 1
 

@@ -7,7 +7,7 @@ use glint::scene::Scene;
 use glint::trace::{Pixel, Settings, Tracer};
 use glint::world::{ObjectQuery, RayClass, World};
 
-const EVERYTHING: &str = include_str!("scenes/extremes/everything.pov");
+const EVERYTHING: &str = include_str!("extremes/everything.pov");
 
 fn scene(text: &str) -> Result<Scene, String> {
     interpret_str(text).scene.map_err(|e| e.message.clone())

@@ -67,7 +67,12 @@ Put(bicubic_patch {
   <-0.8, 0.3, 0>*U, <-0.3, 0.3, 0.4>*U, <0.3, 0.3, 0.7>*U, <0.8, 0.3, 0>*U,
   <-0.8, 0.8, 0>*U, <-0.3, 0.8, -0.9>*U, <0.3, 0.8, 0>*U, <0.8, 0.8, 0.5>*U
 })
-Put(text { internal 1 "Glint" 0.3, 0 translate <-1, -0.3, 0> scale U*0.75 })
+// The font comes with POV-Ray.
+#if (file_exists("timrom.ttf"))
+  Put(text { internal 1 "Glint" 0.3, 0 translate <-1, -0.3, 0> scale U*0.75 })
+#else
+  Put(box { -U*<0.7, 0.2, 0.1>, U*<0.7, 0.2, 0.1> })
+#end
 
 Put(quadric { <2, 3, 4>/(U*U), <0.5, 0, 0.3>/(U*U), <0.2, 0, 0>/U, -1 })
 Put(intersection {
