@@ -4,6 +4,7 @@
 #   benches/versus_povray.sh                 all of them (some minutes)
 #   benches/versus_povray.sh flake           the sphereflakes: depth 2 to 6
 #   benches/versus_povray.sh mesh            the meshes: 249,000 and two million triangles
+#   benches/versus_povray.sh parse           reading alone: macros, ten million float operations, include files
 #   benches/versus_povray.sh threads         one thread against two, median wall time of five runs
 #   GLINT=path POVRAY=path RUNS=3 …          other programs, number of runs (the fastest counts)
 #
@@ -90,6 +91,22 @@ mesh() {
   one mesh_2m 1024 1024 "$work/mesh_2m.pov"
 }
 
+# Reading alone. The pictures are a few pixels.
+parse() {
+  {
+    echo '#version 3.7; global_settings { assumed_gamma 1 }'
+    for i in $(seq 20); do
+      for name in colors textures shapes woods metals functions glass stones math golds shapes2 transforms; do
+        echo "#include \"$name.inc\""
+      done
+    done
+    echo 'sphere { z*3, 1 }'
+  } >"$work/includes.pov"
+  one parse_flake 16 12 benches/scenes/sphereflake.pov Depth=5
+  one parse_floats 16 12 benches/scenes/float_loop.pov
+  one parse_includes 16 12 "$work/includes.pov"
+}
+
 # Wall seconds of the trace, one and two threads, five runs each, in turn.
 threads() {
   local scene=benches/scenes/sphereflake.pov i n
@@ -109,9 +126,10 @@ threads() {
 }
 
 case $what in
-  all) heading; flake; mesh; threads ;;
+  all) heading; flake; mesh; parse; threads ;;
   flake) heading; flake ;;
   mesh) heading; mesh ;;
+  parse) heading; parse ;;
   threads) threads ;;
   *) echo "unknown: $what" >&2; exit 2 ;;
 esac

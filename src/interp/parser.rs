@@ -10,7 +10,7 @@ use crate::function::Surroundings;
 use crate::material::{Layer, Texture};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, FileId, Files, Span};
-use crate::syntax::{Interner, Keyword, Punct, Symbol, Tok, Token};
+use crate::syntax::{Directive, Interner, Keyword, Punct, Symbol, Tok, Token};
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -50,6 +50,8 @@ pub struct Parser {
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
     pub(super) watch: super::limits::Watch,
+    /// Text of files that was skipped before: from where, to which directive.
+    pub(super) skips: HashMap<(FileId, u32), (Directive, Span)>,
     pub(super) text: super::string::TextState,
     pub(super) random: Vec<u32>,
     pub(super) queries: super::world_query::Queries,
@@ -116,6 +118,7 @@ impl Parser {
             deprecated: HashMap::new(),
             passes: 0,
             watch,
+            skips: HashMap::new(),
             text: Default::default(),
             random: Vec::new(),
             queries: Default::default(),

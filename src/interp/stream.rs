@@ -218,6 +218,26 @@ impl Parser {
             frame.at = target as usize + 1;
             return Ok((d, span));
         }
+        let from = (self.last.file, self.last.end);
+        // The word taken last may stand in a macro: then it does not tell where this text is.
+        let here = self.frames.last().is_some_and(|f| f.at > 0 && f.text[f.at - 1].span == self.last);
+        if here
+            && let Some(&(d, span)) = self.skips.get(&from)
+            && self.seek_file(span)
+        {
+            self.last = span;
+            return Ok((d, span));
+        }
+        let (d, span) = self.find_clause(opener)?;
+        if here && from.0 == span.file && from.1 <= span.start {
+            self.skips.insert(from, (d, span));
+        }
+        self.last = span;
+        Ok((d, span))
+    }
+
+    /// The next clause of the innermost block, or its `#end`.
+    fn find_clause(&mut self, opener: Span) -> Result<(Directive, Span)> {
         let mut depth = 0;
         while let Some(token) = self.raw_here()? {
             let Tok::Directive(d) = token.tok else { continue };
@@ -230,6 +250,21 @@ impl Parser {
             }
         }
         Err(missing_end(Token { tok: Tok::End, span: opener }))
+    }
+
+    /// Goes on behind `span`, if the innermost text is that file.
+    fn seek_file(&mut self, span: Span) -> bool {
+        let Some(frame) = self.frames.last_mut() else { return false };
+        let Source::File { lexer, done } = &mut frame.source else { return false };
+        let Some(Kept { tokens, .. }) = Rc::get_mut(&mut frame.text) else { return false };
+        if lexer.file() != span.file {
+            return false;
+        }
+        lexer.seek(span.end as usize);
+        *done = false;
+        tokens.clear();
+        (frame.at, frame.end) = (0, 0);
+        true
     }
 
     /// "in macro … called here", innermost first.

@@ -137,3 +137,21 @@ fn a_lone_hash_is_nothing() {
     let outcome = outcome("#debug \"a\" # #debug \"b\"");
     assert_eq!(outcome.debug, "ab");
 }
+
+/// Text skipped once is skipped in one step when the file is read again.
+#[test]
+fn files_read_again_skip_the_same_text() {
+    let folder = std::env::temp_dir().join(format!("glint-skips-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let text = "#ifndef (Once) #declare Once=1; #debug \"first\" #else #if (Once=3) #debug \"three\" #elseif (Once=2) 
+                #debug \"two\" #else #debug \"one\" #end #end #switch (Once) #case (2) #debug \"+\" #break #case (3) 
+                #debug \"-\" #end";
+    std::fs::write(folder.join("skips.inc"), text.replace("\\", "")).unwrap();
+    let include = format!("#include \"{}/skips.inc\" ", folder.display());
+    let scene = format!(
+        "{include}{include}#declare Once=2; {include}#declare Once=3; {include}#undef Once {include}{include}"
+    );
+    let printed = debug(&scene);
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert_eq!(printed, "firstonetwo+three-firstone");
+}
