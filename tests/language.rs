@@ -15,6 +15,9 @@ fn folder(name: &str) -> PathBuf {
 fn is_installed() -> bool {
     let found = Path::new("/usr/share/povray-3.7/include/colors.inc").exists();
     assert!(found || std::env::var_os("GLINT_REQUIRE_POVRAY").is_none(), "povray-includes is not installed");
+    if !found {
+        println!("skipped: POV-Ray's include files are not installed");
+    }
     found
 }
 

@@ -115,7 +115,7 @@ impl Parser {
                 "it comes with POV-Ray: install its include files (package `povray-includes`), or name their folder with -L"
                     .to_owned()
             }
-            true => "looked in the working folder and beside the scene; name more folders with +L".to_owned(),
+            true => "looked in the working folder and beside the scene; name more folders with -L".to_owned(),
             false => format!("looked in the working folder, {} and beside the scene", folders.join(", ")),
         };
         Box::new(Diagnostic::error(span, format!("cannot find the file `{name}`")).with_hint(hint))

@@ -31,7 +31,7 @@ impl Default for Interior {
     }
 }
 
-/// A participating medium; parsed in full, not rendered yet.
+/// A participating medium.
 #[derive(Clone, Debug)]
 pub struct Media {
     pub intervals: u32,
