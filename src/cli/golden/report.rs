@@ -8,9 +8,9 @@ use std::fmt::Write;
 pub fn page(findings: &[Finding]) -> String {
     let wrong: Vec<_> = findings.iter().filter(|f| f.said.is_err()).collect();
     let mut html = String::from(HEAD);
-    let _ = write!(
+    let _ = writeln!(
         html,
-        "<h1>Golden pictures</h1><p>{} looked at, <b>{} complaints</b></p>\n",
+        "<h1>Golden pictures</h1><p>{} looked at, <b>{} complaints</b></p>",
         findings.len(),
         wrong.len()
     );

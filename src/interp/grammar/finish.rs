@@ -185,7 +185,6 @@ impl Parser {
             }
         }
         self.expect_punct(Punct::RightBrace)?;
-        if finish.subsurface.is_some() {}
         Ok(())
     }
 

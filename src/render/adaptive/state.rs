@@ -259,7 +259,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
                 let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
                 let tasks = &tasks[..tasks.len().min(chunk)];
                 let before = sampler.rays();
-                sampler.begin_block((self.rounds as usize) << 20 ^ first / chunk);
+                sampler.begin_block(((self.rounds as usize) << 20) ^ (first / chunk));
                 let found: Vec<Found> = tasks.iter().map(|t| self.sample(t, &mut sampler)).collect();
                 self.show(tasks, &found, sampler.rays() - before);
                 results.lock().expect("threads do not panic").push((first, found));
