@@ -48,8 +48,13 @@ impl Kind {
     }
 }
 
-/// Standard include files of an installed POV-Ray.
-const INSTALLED: &str = "/usr/share/povray-3.7/include";
+/// Where an installed POV-Ray has its standard include files: the first of these that is there.
+pub const INCLUDE_FOLDERS: [&str; 4] = [
+    "/usr/share/povray-3.7/include",
+    "/usr/local/share/povray-3.7/include",
+    "/usr/share/povray/include",
+    "/opt/homebrew/share/povray-3.7/include",
+];
 
 /// A file that was found.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,8 +130,8 @@ impl Parser {
     fn library_folders(&self) -> Vec<PathBuf> {
         let mut folders = vec![PathBuf::new()];
         folders.extend(self.options.library_paths.iter().cloned());
-        if self.options.includes != IncludeMode::Embedded && Path::new(INSTALLED).is_dir() {
-            folders.push(PathBuf::from(INSTALLED));
+        if self.options.includes != IncludeMode::Embedded {
+            folders.extend(INCLUDE_FOLDERS.iter().map(PathBuf::from).find(|f| f.is_dir()));
         }
         folders
     }

@@ -34,6 +34,7 @@ mod world_query;
 
 pub use interpret::{Outcome, interpret, interpret_str};
 pub use limits::Limits;
+pub use lookup::INCLUDE_FOLDERS;
 pub(crate) use lookup::Kind as FileKind;
 pub use options::{Frame, IncludeMode, Options, SceneSource};
 pub use parser::Parser;

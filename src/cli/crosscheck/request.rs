@@ -1,17 +1,10 @@
 use crate::cli::args::{AaMethod, Includes, PictureArgs};
 use crate::cli::exit::Failure;
+use crate::interp::INCLUDE_FOLDERS;
 use std::path::{Path, PathBuf};
 
 /// The size of pictures that nobody asked for otherwise.
 const DEFAULT_SIZE: (u32, u32) = (160, 120);
-
-/// Where POV-Ray's standard include files are, apart from the folder beside the program.
-const INCLUDE_FOLDERS: [&str; 4] = [
-    "/usr/share/povray-3.7/include",
-    "/usr/local/share/povray-3.7/include",
-    "/usr/share/povray/include",
-    "/opt/homebrew/share/povray-3.7/include",
-];
 
 /// What both programs are asked for.
 #[derive(Clone, Debug)]
