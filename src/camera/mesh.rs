@@ -20,6 +20,7 @@
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::{Aabb, Ray, Transform, Vec2, Vec3};
 use crate::shape::Mesh;
+use crate::shape::mesh::MeshFaces;
 
 /// Which faces a pixel sees from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +75,7 @@ impl MeshCamera {
 
     /// Adds a mesh that stands at `transform`.
     pub fn add(&mut self, mesh: &Mesh, transform: Transform) {
+        let mesh = mesh.faces();
         let faces: Vec<_> = mesh.in_order().into_iter().map(|place| Some(Face::new(mesh, place?))).collect();
         let by_uv = matches!(self.distribution, Distribution::Uv { .. }).then(|| uv_tree(&faces));
         self.meshes.push(Faces { transform, faces, by_uv });
@@ -156,7 +158,7 @@ impl Faces {
 }
 
 impl Face {
-    fn new(mesh: &Mesh, place: usize) -> Self {
+    fn new(mesh: &MeshFaces, place: usize) -> Self {
         let corners = mesh.corners(place);
         let flat = mesh.flat_normal(place);
         let normals = mesh.corner_normals(place).unwrap_or([flat; 3]);

@@ -147,7 +147,7 @@ mod tests {
 
     fn files(text: &[u8]) -> (Files, FileId) {
         let mut files = Files::default();
-        let id = files.add("leaf.pov".into(), None, text.into());
+        let id = files.add("leaf.pov".into(), None, text.to_vec().into());
         (files, id)
     }
 
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn the_way_is_shown() {
         let (mut files, file) = files(b"#include \"a.inc\"\n");
-        let inner = files.add("a.inc".into(), None, b"oops\n"[..].into());
+        let inner = files.add("a.inc".into(), None, b"oops\n".to_vec().into());
         let mut d = Diagnostic::error(Span { file: inner, start: 0, end: 4 }, "unknown word");
         d.trace.push(Label {
             span: Span { file, start: 9, end: 16 },

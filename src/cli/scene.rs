@@ -18,6 +18,8 @@ pub struct Options {
     pub strict: bool,
     /// Whoever reads the diagnostics decodes them as ASCII.
     pub ascii: bool,
+    /// Whether somebody wants [`Parsed::fingerprint`].
+    pub fingerprint: bool,
 }
 
 impl Options {
@@ -45,7 +47,8 @@ impl Options {
         options.strict = args.strict.contains(&Strict::Reference);
         options.frame.clock = args.clock as f32;
         options.frame.clock_on = args.clock != 0.0;
-        Ok(Options { interp: options, strict: args.strict.contains(&Strict::Features), ascii: false })
+        let strict = args.strict.contains(&Strict::Features);
+        Ok(Options { interp: options, strict, ascii: false, fingerprint: false })
     }
 }
 
@@ -82,7 +85,7 @@ pub struct Parsed {
     pub unsupported: Vec<String>,
     /// Files that the scene includes or reads as text: where each was taken from.
     pub includes: Vec<String>,
-    /// Of all text that was read, and of what the scene was told.
+    /// Of all text that was read, and of what the scene was told; 0 if nobody asked for it.
     pub fingerprint: u64,
 }
 
@@ -106,7 +109,7 @@ pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Fail
         )));
     }
     let warnings = warnings.iter().map(|w| diagnostic::line(w, &files)).collect();
-    let fingerprint = fingerprint(&files, &options.interp);
+    let fingerprint = if options.fingerprint { fingerprint(&files, &options.interp) } else { 0 };
     let includes =
         files.names().skip(1).map(|(name, path)| origin(name, path.map(PathBuf::as_path))).collect();
     Ok(Parsed { scene, warnings, unsupported, includes, fingerprint })

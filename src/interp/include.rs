@@ -16,7 +16,7 @@ impl Parser {
     /// Opens the scene's own text.
     pub(super) fn open_main(&mut self, source: &SceneSource) -> Result<()> {
         let file = match source {
-            SceneSource::Text { name, text } => self.files.add(name.clone(), None, Arc::from(&text[..])),
+            SceneSource::Text { name, text } => self.files.add(name.clone(), None, Arc::new(text.clone())),
             SceneSource::Path(path) => self.load(path, &path.display().to_string(), Span::default())?,
         };
         let mut lexer = self.lexer(file);
@@ -86,7 +86,7 @@ impl Parser {
         if let Some(&file) = self.loaded.get(&shown) {
             return Some(file);
         }
-        let file = self.files.add(shown.display().to_string(), None, Arc::from(text.as_bytes()));
+        let file = self.files.add(shown.display().to_string(), None, Arc::new(text.as_bytes().to_vec()));
         self.loaded.insert(shown, file);
         Some(file)
     }
@@ -103,7 +103,7 @@ impl Parser {
             }
             Box::new(diagnostic)
         })?;
-        let file = self.files.add(shown.to_owned(), Some(path.to_owned()), Arc::from(text));
+        let file = self.files.add(shown.to_owned(), Some(path.to_owned()), Arc::new(text));
         self.loaded.insert(path.to_owned(), file);
         Ok(file)
     }

@@ -18,7 +18,7 @@ impl Parser {
     }
 
     /// As [`Parser::unexpected`], for a token already taken.
-    pub(super) fn unexpected_token(&mut self, token: Token, expected: &str) -> Box<Diagnostic> {
+    pub(crate) fn unexpected_token(&mut self, token: Token, expected: &str) -> Box<Diagnostic> {
         let found = self.describe(token);
         let mut diagnostic = Diagnostic::error(token.span, format!("expected {expected}, found {found}"))
             .with_label(format!("expected {expected}"));

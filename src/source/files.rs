@@ -1,4 +1,8 @@
 use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A text's bytes, in the memory that they were read into.
+pub type Text = Arc<Vec<u8>>;
 
 /// One text that was read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -33,12 +37,12 @@ pub struct Files {
 struct File {
     name: String,
     path: Option<PathBuf>,
-    text: std::sync::Arc<[u8]>,
+    text: Text,
 }
 
 impl Files {
     /// `name` is what diagnostics show; `path` is `None` for embedded texts and standard input.
-    pub fn add(&mut self, name: String, path: Option<PathBuf>, text: std::sync::Arc<[u8]>) -> FileId {
+    pub fn add(&mut self, name: String, path: Option<PathBuf>, text: Text) -> FileId {
         self.files.push(File { name, path, text });
         FileId(self.files.len() as u32 - 1)
     }
@@ -51,7 +55,7 @@ impl Files {
         self.files[id.0 as usize].path.as_ref()
     }
 
-    pub fn text(&self, id: FileId) -> &std::sync::Arc<[u8]> {
+    pub fn text(&self, id: FileId) -> &Text {
         &self.files[id.0 as usize].text
     }
 
@@ -62,6 +66,6 @@ impl Files {
 
     /// All texts in the order in which they were met.
     pub fn texts(&self) -> impl Iterator<Item = &[u8]> {
-        self.files.iter().map(|f| &*f.text)
+        self.files.iter().map(|f| &f.text[..])
     }
 }

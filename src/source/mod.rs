@@ -4,4 +4,4 @@ mod diagnostic;
 mod files;
 
 pub use diagnostic::{Diagnostic, Label, Severity};
-pub use files::{FileId, Files, Span};
+pub use files::{FileId, Files, Span, Text};

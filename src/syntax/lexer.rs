@@ -1,7 +1,6 @@
 use super::{Directive, Interner, Punct, SPELLINGS, Symbol, Tok, Token, parse_number};
-use crate::source::{Diagnostic, FileId, Span};
+use crate::source::{Diagnostic, FileId, Span, Text};
 use logos::{FilterResult, Logos, Skip};
-use std::sync::Arc;
 
 /// What the scanner tells apart; [`Lexer`] gives it meaning.
 #[derive(Logos, Clone, Copy, Debug, PartialEq)]
@@ -104,13 +103,13 @@ fn string(lexer: &mut logos::Lexer<Lexeme>) -> Result<(), Fault> {
 /// Reads one file's text, token by token.
 #[derive(Debug)]
 pub struct Lexer {
-    text: Arc<[u8]>,
+    text: Text,
     file: FileId,
     at: usize,
 }
 
 impl Lexer {
-    pub fn new(file: FileId, text: Arc<[u8]>) -> Self {
+    pub fn new(file: FileId, text: Text) -> Self {
         Self { text, file, at: 0 }
     }
 
@@ -118,7 +117,7 @@ impl Lexer {
         self.file
     }
 
-    pub fn text(&self) -> &Arc<[u8]> {
+    pub fn text(&self) -> &Text {
         &self.text
     }
 

@@ -232,7 +232,12 @@ fn options(settings: &Settings) -> Result<scene::Options, Failure> {
             }
         }
     }
-    Ok(scene::Options { interp: options, strict: false, ascii: !std::io::stderr().is_terminal() })
+    Ok(scene::Options {
+        interp: options,
+        strict: false,
+        ascii: !std::io::stderr().is_terminal(),
+        fingerprint: false,
+    })
 }
 
 #[cfg(test)]

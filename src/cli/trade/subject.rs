@@ -51,10 +51,11 @@ impl Observer for Until<'_> {
 impl<'a> ScenePictures<'a> {
     pub fn new(
         args: &'a TradeArgs,
-        options: Options,
+        mut options: Options,
         pool: &'a rayon::ThreadPool,
         wall: Wall,
     ) -> Result<Self, Failure> {
+        options.fingerprint = args.cache.is_some();
         let parsed = scene::parse(&args.scene_file, &options, args.quiet)?;
         let cache = args.cache.clone().map(|folder| Cache::new(folder, parsed.fingerprint));
         let world = World::prepare(parsed.scene);

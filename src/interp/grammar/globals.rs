@@ -12,15 +12,25 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 impl Parser {
+    fn not_a_setting(&mut self, token: Token, block: &str) -> Box<Diagnostic> {
+        match token.tok {
+            Tok::Word(word) => Box::new(Diagnostic::error(
+                token.span,
+                format!("`{}` is no setting of `{block}`", word.text()),
+            )),
+            _ => self.unexpected_token(token, &format!("a setting of `{block}` or `}}`")),
+        }
+    }
+
     /// `global_settings { … }`; the word is the next token.
     pub(crate) fn global_settings_statement(&mut self) -> Result<()> {
         self.expect(Keyword::GlobalSettings)?;
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(not_a_setting(token, "global_settings")) };
+            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "global_settings")) };
             if !(self.global_light_item(word, token.span)? || self.global_item(word, token.span)?) {
-                return Err(not_a_setting(token, "global_settings"));
+                return Err(self.not_a_setting(token, "global_settings"));
             }
             self.comma()?;
         }
@@ -134,7 +144,7 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(not_a_setting(token, "radiosity")) };
+            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "radiosity")) };
             match word {
                 Keyword::Count => {
                     r.count = self.whole(1.0, f64::from(u32::MAX))?;
@@ -151,7 +161,7 @@ impl Parser {
                 Keyword::MinimumReuse => minimum = Some(self.float()?),
                 Keyword::MaximumReuse => maximum = Some(self.float()?),
                 _ if self.radiosity_flag(&mut r, word)? || self.radiosity_number(&mut r, word)? => {}
-                _ => return Err(not_a_setting(token, "radiosity")),
+                _ => return Err(self.not_a_setting(token, "radiosity")),
             }
             self.comma()?;
         }
@@ -220,9 +230,9 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(not_a_setting(token, "photons")) };
+            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "photons")) };
             if !self.photon_item(&mut p, word, token.span)? {
-                return Err(not_a_setting(token, "photons"));
+                return Err(self.not_a_setting(token, "photons"));
             }
             self.comma()?;
         }
@@ -305,7 +315,7 @@ impl Parser {
                     s.single_samples = self.whole(1.0, f64::from(u32::MAX))?;
                 }
                 Tok::Word(Keyword::Radiosity) => s.radiosity = self.flag()?,
-                _ => return Err(not_a_setting(token, "subsurface")),
+                _ => return Err(self.not_a_setting(token, "subsurface")),
             }
         }
         Ok(s)
@@ -314,14 +324,6 @@ impl Parser {
 
 /// More sources of waves than this only cost time.
 const MOST_WAVES: f64 = 100_000.0;
-
-fn not_a_setting(token: Token, block: &str) -> Box<Diagnostic> {
-    let text = match token.tok {
-        Tok::Word(word) => format!("`{}` is no setting of `{block}`", word.text()),
-        _ => format!("expected a setting of `{block}` or `}}`"),
-    };
-    Box::new(Diagnostic::error(token.span, text))
-}
 
 /// The reuse distances; one that was not given keeps away from the other.
 fn set_reuse(

@@ -19,8 +19,13 @@ impl Quality {
     fn parameters(self) -> BvhBuildParams {
         match self {
             Quality::Best => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::medium_build() },
-            Quality::Fast => BvhBuildParams { max_prims_per_leaf: 2, ..BvhBuildParams::fast_build() },
+            Quality::Fast => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() },
         }
+    }
+
+    /// Whether two primitives that stand alone together become one leaf.
+    fn pairs(self) -> bool {
+        self == Quality::Fast
     }
 }
 
@@ -124,9 +129,15 @@ pub(super) struct Place<'a> {
     /// Primitive numbers of the tree's boxes; the bulk stands in the outer tree as `u32::MAX`.
     pub numbers: &'a [u32],
     pub node: usize,
+    /// Whether a node above two leaves is taken for a leaf itself.
+    pub pairs: bool,
 }
 
 impl<'a> Place<'a> {
+    pub fn root(tree: &'a Bvh2, numbers: &'a [u32], quality: Quality) -> Self {
+        Self { tree, numbers, node: 0, pairs: quality.pairs() }
+    }
+
     fn bounds(&self) -> obvhs::aabb::Aabb {
         *self.tree.nodes[self.node].aabb()
     }
@@ -137,14 +148,23 @@ impl<'a> Place<'a> {
     }
 
     fn is_leaf(&self) -> bool {
-        self.tree.nodes[self.node].is_leaf()
+        let node = &self.tree.nodes[self.node];
+        node.is_leaf() || self.pairs && self.children().iter().all(|c| self.tree.nodes[c.node].is_leaf())
     }
 
     fn primitives(&self) -> impl Iterator<Item = u32> + 'a {
-        let node = &self.tree.nodes[self.node];
-        let (first, count) = (node.first_index as usize, node.prim_count as usize);
         let (tree, numbers) = (self.tree, self.numbers);
-        (first..first + count).map(move |k| numbers[tree.primitive_indices[k] as usize])
+        let node = &tree.nodes[self.node];
+        let leaves = if node.is_leaf() {
+            self.node..self.node + 1
+        } else {
+            node.first_index as usize..node.first_index as usize + 2
+        };
+        leaves.flat_map(move |leaf| {
+            let node = &tree.nodes[leaf];
+            let (first, count) = (node.first_index as usize, node.prim_count as usize);
+            (first..first + count).map(move |k| numbers[tree.primitive_indices[k] as usize])
+        })
     }
 }
 
@@ -169,8 +189,8 @@ impl Collapse {
         let outer_quality = if inner.is_some() { Quality::Best } else { quality };
         let outer = binary_tree(&list, outer_quality);
         drop(list);
-        let root = Place { tree: &outer, numbers: &picked, node: 0 };
-        let graft = inner.as_ref().map(|(tree, numbers)| Place { tree, numbers, node: 0 });
+        let root = Place::root(&outer, &picked, outer_quality);
+        let graft = inner.as_ref().map(|(tree, numbers)| Place::root(tree, numbers, quality));
         self.collapse(root, graft);
     }
 

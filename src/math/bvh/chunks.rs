@@ -38,13 +38,22 @@ impl Bvh {
         }
         let bulk = Bulk::of(&sample, &(0..sample.len() as u32).collect::<Vec<_>>());
         let frame = Frame::around(&bulk, &whole);
-        let mut pieces: Vec<&mut [u32]> = Vec::new();
-        cut(&mut numbers, &bounds, &mut pieces);
+        let place = |i: u32| ((bounds(i).center() - frame.center) * frame.scale).as_vec3();
+        let mut places: Vec<Center> =
+            numbers.into_iter().map(|number| Center { at: place(number), number }).collect();
+        let pieces = cut(&mut places);
         let built: Vec<Piece> =
             pieces.into_par_iter().map(|piece| Piece::build(&frame, &bounds, piece, quality)).collect();
         let (nodes, order) = join(built);
         Bvh::assemble(nodes, order, whole, frame.center, frame.scale)
     }
+}
+
+/// The middle of a box in the tree's coordinates, in single precision: it only decides in which piece a box goes.
+#[derive(Clone, Copy, Debug)]
+struct Center {
+    at: glam::Vec3,
+    number: u32,
 }
 
 /// A finished part of the tree.
@@ -54,61 +63,69 @@ struct Piece {
 }
 
 impl Piece {
-    fn build(frame: &Frame, bounds: &impl Fn(u32) -> Aabb, numbers: &[u32], quality: Quality) -> Piece {
+    fn build(frame: &Frame, bounds: &impl Fn(u32) -> Aabb, places: &[Center], quality: Quality) -> Piece {
+        let numbers: Vec<u32> = places.iter().map(|c| c.number).collect();
+        let numbers = &numbers;
         let boxes: Vec<obvhs::aabb::Aabb> = numbers.iter().map(|&i| frame.single(&bounds(i))).collect();
         let whole = boxes.iter().fold(boxes[0], |a, b| a.union(b));
         let tree = binary_tree(&boxes, quality);
         drop(boxes);
         let mut wide = Collapse { nodes: Vec::new(), order: Vec::with_capacity(numbers.len()) };
-        wide.collapse(Place { tree: &tree, numbers, node: 0 }, None);
+        wide.collapse(Place::root(&tree, numbers, quality), None);
         Piece { bounds: whole, wide }
     }
 }
 
 /// Cuts a list of boxes in two where the surface area heuristic says, until no part is larger than a chunk.
-fn cut<'a>(numbers: &'a mut [u32], bounds: &impl Fn(u32) -> Aabb, pieces: &mut Vec<&'a mut [u32]>) {
-    let mut todo = vec![numbers];
+/// Boxes are small beside their number: their middles stand for them.
+fn cut(places: &mut [Center]) -> Vec<&mut [Center]> {
+    let mut pieces = Vec::new();
+    let mut todo = vec![places];
     while let Some(part) = todo.pop() {
         if part.len() <= CHUNK {
             pieces.push(part);
             continue;
         }
-        let middle = partition(part, bounds);
+        let middle = partition(part);
         let (left, right) = part.split_at_mut(middle);
         todo.push(right);
         todo.push(left);
     }
+    pieces
 }
 
-/// Sorts a list into two by the boxes' centers; the length of the first part.
-fn partition(part: &mut [u32], bounds: &impl Fn(u32) -> Aabb) -> usize {
-    let centers = part.iter().fold(Aabb::EMPTY, |b, &i| b.extended(bounds(i).center()));
-    let size = centers.size();
-    let axis = if size.x >= size.y && size.x >= size.z {
-        0
-    } else if size.y >= size.z {
-        1
-    } else {
-        2
-    };
-    if size[axis] == 0.0 {
+/// A box in single precision: least and greatest corner.
+type Corners = (glam::Vec3, glam::Vec3);
+
+const NOTHING: Corners = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
+
+fn around(a: Corners, b: Corners) -> Corners {
+    (a.0.min(b.0), a.1.max(b.1))
+}
+
+/// Sorts a list into two by the boxes' middles; the length of the first part.
+fn partition(part: &mut [Center]) -> usize {
+    let (least, greatest) = part.iter().fold(NOTHING, |b, c| around(b, (c.at, c.at)));
+    let size = greatest - least;
+    let axis = size.max_position();
+    if !(size[axis] > 0.0) {
         return part.len() / 2;
     }
-    let bin = |i: u32| {
-        let place = (bounds(i).center()[axis] - centers.min[axis]) / size[axis];
-        ((place * BINS as f64) as usize).min(BINS - 1)
+    let bin = |c: &Center| {
+        let place = (c.at[axis] - least[axis]) / size[axis];
+        ((place * BINS as f32) as usize).min(BINS - 1)
     };
-    let mut boxes = [Aabb::EMPTY; BINS];
+    let mut boxes = [NOTHING; BINS];
     let mut counts = [0usize; BINS];
-    for &i in part.iter() {
-        let k = bin(i);
-        boxes[k] = boxes[k].union(bounds(i));
+    for c in part.iter() {
+        let k = bin(c);
+        boxes[k] = around(boxes[k], (c.at, c.at));
         counts[k] += 1;
     }
     let last = cheapest_cut(&boxes, &counts);
     let mut first = 0;
     for k in 0..part.len() {
-        if bin(part[k]) <= last {
+        if bin(&part[k]) <= last {
             part.swap(first, k);
             first += 1;
         }
@@ -117,18 +134,18 @@ fn partition(part: &mut [u32], bounds: &impl Fn(u32) -> Aabb) -> usize {
 }
 
 /// The bin after which a cut costs least.
-fn cheapest_cut(boxes: &[Aabb; BINS], counts: &[usize; BINS]) -> usize {
-    let mut right = [(Aabb::EMPTY, 0); BINS];
-    let mut so_far = (Aabb::EMPTY, 0);
+fn cheapest_cut(boxes: &[Corners; BINS], counts: &[usize; BINS]) -> usize {
+    let mut right = [(NOTHING, 0); BINS];
+    let mut so_far = (NOTHING, 0);
     for k in (0..BINS).rev() {
-        so_far = (so_far.0.union(boxes[k]), so_far.1 + counts[k]);
+        so_far = (around(so_far.0, boxes[k]), so_far.1 + counts[k]);
         right[k] = so_far;
     }
-    let cost = |(b, n): (Aabb, usize)| if n == 0 { 0.0 } else { half_area(&b) * n as f64 };
-    let mut left = (Aabb::EMPTY, 0);
-    let mut best = (f64::INFINITY, 0);
+    let cost = |(b, n): (Corners, usize)| if n == 0 { 0.0 } else { half_area(b) * n as f32 };
+    let mut left = (NOTHING, 0);
+    let mut best = (f32::INFINITY, 0);
     for k in 0..BINS - 1 {
-        left = (left.0.union(boxes[k]), left.1 + counts[k]);
+        left = (around(left.0, boxes[k]), left.1 + counts[k]);
         let total = cost(left) + cost(right[k + 1]);
         if left.1 > 0 && right[k + 1].1 > 0 && total < best.0 {
             best = (total, k);
@@ -137,8 +154,8 @@ fn cheapest_cut(boxes: &[Aabb; BINS], counts: &[usize; BINS]) -> usize {
     best.1
 }
 
-fn half_area(b: &Aabb) -> f64 {
-    let s = b.size();
+fn half_area((least, greatest): Corners) -> f32 {
+    let s = greatest - least;
     s.x * s.y + s.y * s.z + s.z * s.x
 }
 
@@ -148,7 +165,7 @@ fn join(pieces: Vec<Piece>) -> (Vec<Node>, Vec<u32>) {
     let numbers: Vec<u32> = (0..pieces.len() as u32).collect();
     let tree = binary_tree(&boxes, Quality::Best);
     let mut top = Collapse { nodes: Vec::new(), order: Vec::new() };
-    top.collapse(Place { tree: &tree, numbers: &numbers, node: 0 }, None);
+    top.collapse(Place::root(&tree, &numbers, Quality::Best), None);
     let mut roots = Vec::with_capacity(pieces.len());
     let mut next = top.nodes.len();
     for piece in &pieces {

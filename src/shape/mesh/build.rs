@@ -1,8 +1,9 @@
-use super::{Corners, Indices, Mesh, Textures};
+use super::{Corners, Indices, Mesh, MeshFaces, Textures};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::{Aabb, Vec3};
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::sync::LazyLock;
 
 /// Stands for the first normal or uv of a face that has none.
 pub const FLAT: u32 = u32::MAX;
@@ -50,8 +51,14 @@ impl<T: Hash + Eq> Merged<T> {
 }
 
 impl MeshBuilder {
-    /// The finished mesh. Every index must be in its list. Faces without area are never hit and left out.
-    pub fn build(mut self) -> Mesh {
+    /// The finished mesh. Every index must be in its list. MeshFaces without area are never hit and left out.
+    pub fn build(self) -> Mesh {
+        let is_solid = self.inside_vector.and_then(Vec3::try_normalize).is_some();
+        let kind = self.kind;
+        Mesh { faces: LazyLock::new(Box::new(|| self.faces())), is_solid, kind }
+    }
+
+    fn faces(mut self) -> MeshFaces {
         let bounds = |i: u32| self.face_bounds(self.faces[i as usize]);
         let mut tree = Bvh::build_from(self.faces.len(), bounds, Quality::Fast);
         self.vertices.shrink_to_fit();
@@ -59,7 +66,7 @@ impl MeshBuilder {
         self.uvs.shrink_to_fit();
         let order = tree.order();
         let faces = reordered(self.faces, order);
-        Mesh {
+        MeshFaces {
             vertices: self.vertices,
             normal_corners: indices(self.normal_corners, !self.normals.is_empty(), order),
             normals: self.normals,

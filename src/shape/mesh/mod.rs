@@ -14,7 +14,7 @@
 //! For `inside_vector` each edge belongs to just one of the two faces that a nudge of the ray would choose
 //! between, so every crossing counts once.
 //!
-//! Faces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
+//! MeshFaces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
 //! (mostly 6), about 11 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
 //! own.
 //!
@@ -28,12 +28,22 @@ use super::triangle::Shear;
 use super::{Crossing, PartTexture, Shape, rounding};
 use crate::math::bvh::Bvh;
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
+use std::sync::LazyLock;
 
 /// Numbers of a face's three corners in some list.
 pub type Corners = [u32; 3];
 
-#[derive(Clone, Debug)]
+/// A mesh as it was written; its tree is built when somebody first asks for a face.
+#[derive(Debug)]
 pub struct Mesh {
+    faces: LazyLock<MeshFaces, Box<dyn FnOnce() -> MeshFaces + Send>>,
+    is_solid: bool,
+    kind: &'static str,
+}
+
+/// The faces of a mesh in the order of their tree's leaves.
+#[derive(Debug)]
+pub struct MeshFaces {
     vertices: Vec<[f32; 3]>,
     faces: Vec<Corners>,
     normals: Vec<[f32; 3]>,
@@ -88,11 +98,22 @@ fn wide(v: [f32; 3]) -> Vec3 {
 }
 
 impl Mesh {
-    pub fn face_count(&self) -> usize {
+    pub fn faces(&self) -> &MeshFaces {
+        &self.faces
+    }
+
+    fn crossing(face: u32, (t, weights): (f64, Vec3)) -> Crossing {
+        Crossing { t, part: face, uv: Vec2::new(weights.y, weights.z) }
+    }
+}
+
+impl MeshFaces {
+    #[cfg(test)]
+    fn face_count(&self) -> usize {
         self.faces.len()
     }
 
-    /// Faces in the order in which the scene lists them; `None` for faces of a `mesh2` without area.
+    /// MeshFaces in the order in which the scene lists them; `None` for faces of a `mesh2` without area.
     pub fn in_order(&self) -> Vec<Option<usize>> {
         let length = self.numbers.iter().max().map_or(0, |&last| last as usize + 1);
         let mut places = vec![None; length];
@@ -118,10 +139,6 @@ impl Mesh {
         let weights = shear.weights_of([a, b, c], ray.origin.as_ref())?;
         let (a, b, c) = (wide(*a) - ray.origin, wide(*b) - ray.origin, wide(*c) - ray.origin);
         Some((plane_distance(a, b, c, ray.dir)?, weights))
-    }
-
-    fn crossing(face: u32, (t, weights): (f64, Vec3)) -> Crossing {
-        Crossing { t, part: face, uv: Vec2::new(weights.y, weights.z) }
     }
 
     pub fn flat_normal(&self, face: usize) -> Vec3 {
@@ -151,6 +168,23 @@ impl Mesh {
         let [a, b, c] = self.corner_normals(face)?;
         (a + uv.x * (b - a) + uv.y * (c - a)).try_normalize()
     }
+
+    fn heap_bytes(&self) -> usize {
+        let textures = match &self.textures {
+            Textures::None => 0,
+            Textures::One(list) => list.capacity() * 4,
+            Textures::Three(list) => list.capacity() * 12,
+        };
+        self.vertices.capacity() * 12
+            + self.faces.capacity() * 12
+            + self.normals.capacity() * 12
+            + self.uvs.capacity() * 8
+            + self.numbers.capacity() * 4
+            + self.normal_corners.heap_bytes()
+            + self.uv_corners.heap_bytes()
+            + textures
+            + self.tree.heap_bytes()
+    }
 }
 
 /// Squared distance below which unit normals are the same.
@@ -165,13 +199,14 @@ fn plane_distance(a: Vec3, b: Vec3, c: Vec3, dir: Vec3) -> Option<f64> {
 
 impl Shape for Mesh {
     fn bounds(&self) -> Aabb {
-        self.tree.bounds()
+        self.faces.tree.bounds()
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         let shear = Shear::new(ray.dir);
-        self.tree.traverse(ray, range, |face, max| {
-            if let Some(hit) = self.pass(face as usize, ray, &shear)
+        let faces = self.faces();
+        faces.tree.traverse(ray, range, |face, max| {
+            if let Some(hit) = faces.pass(face as usize, ray, &shear)
                 && range.contains(hit.0)
             {
                 out.push(Self::crossing(face, hit));
@@ -182,8 +217,9 @@ impl Shape for Mesh {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let shear = Shear::new(ray.dir);
+        let faces = self.faces();
         let mut best: Option<(u32, (f64, Vec3))> = None;
-        self.tree.traverse(ray, range, |face, max| match self.pass(face as usize, ray, &shear) {
+        faces.tree.traverse(ray, range, |face, max| match faces.pass(face as usize, ray, &shear) {
             Some(hit) if hit.0 > range.min && hit.0 < max => {
                 best = Some((face, hit));
                 hit.0
@@ -194,15 +230,19 @@ impl Shape for Mesh {
     }
 
     fn contains(&self, p: Vec3) -> bool {
-        let Some(dir) = self.inside_vector else { return false };
-        if !self.bounds().contains(p) {
+        if !self.is_solid {
+            return false;
+        }
+        let faces = self.faces();
+        let Some(dir) = faces.inside_vector else { return false };
+        if !faces.tree.bounds().contains(p) {
             return false;
         }
         let ray = Ray::new(p, dir);
         let shear = Shear::new(dir);
         let mut inside = false;
-        self.tree.traverse(&ray, Range::FORWARD, |face, max| {
-            let [a, b, c] = self.corners(face as usize).map(|q| q - p);
+        faces.tree.traverse(&ray, Range::FORWARD, |face, max| {
+            let [a, b, c] = faces.corners(face as usize).map(|q| q - p);
             if shear.passes_once([a, b, c]) && plane_distance(a, b, c, dir).is_some_and(|t| t > 0.0) {
                 inside = !inside;
             }
@@ -212,22 +252,23 @@ impl Shape for Mesh {
     }
 
     fn is_solid(&self) -> bool {
-        self.inside_vector.is_some()
+        self.is_solid
     }
 
     fn normal(&self, _p: Vec3, crossing: &Crossing) -> Vec3 {
         let face = crossing.part as usize;
-        self.smooth_normal(face, crossing.uv).unwrap_or_else(|| self.flat_normal(face))
+        let faces = self.faces();
+        faces.smooth_normal(face, crossing.uv).unwrap_or_else(|| faces.flat_normal(face))
     }
 
     fn face_normal(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec3> {
         let face = crossing.part as usize;
-        let smooth = !matches!(self.normal_corners, Indices::None);
-        smooth.then(|| self.flat_normal(face))
+        let smooth = !matches!(self.faces.normal_corners, Indices::None);
+        smooth.then(|| self.faces.flat_normal(face))
     }
 
     fn locate(&self, _ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
-        let [a, b, c] = self.corners(crossing.part as usize);
+        let [a, b, c] = self.faces.corners(crossing.part as usize);
         let uv = crossing.uv;
         let p = (1.0 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
         let (e, f) = (b - a, c - a);
@@ -238,14 +279,14 @@ impl Shape for Mesh {
 
     fn uv(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec2> {
         let face = crossing.part as usize;
-        let Some([a, b, c]) = self.corner_uvs(face) else { return Some(Vec2::ZERO) };
+        let Some([a, b, c]) = self.faces.corner_uvs(face) else { return Some(Vec2::ZERO) };
         Some((1.0 - crossing.uv.x - crossing.uv.y) * a + crossing.uv.x * b + crossing.uv.y * c)
     }
 
     fn part_texture(&self, _p: Vec3, crossing: &Crossing) -> PartTexture {
         let some = |i: u32| (i != NO_TEXTURE).then_some(i);
         let face = crossing.part as usize;
-        match &self.textures {
+        match &self.faces.textures {
             Textures::None => PartTexture::Object,
             Textures::One(list) if list[face] == NO_TEXTURE => PartTexture::Object,
             Textures::One(list) => PartTexture::Blend([(some(list[face]), 1.0)].into_iter().collect()),
@@ -267,20 +308,7 @@ impl Shape for Mesh {
     }
 
     fn heap_bytes(&self) -> usize {
-        let textures = match &self.textures {
-            Textures::None => 0,
-            Textures::One(list) => list.capacity() * 4,
-            Textures::Three(list) => list.capacity() * 12,
-        };
-        self.vertices.capacity() * 12
-            + self.faces.capacity() * 12
-            + self.normals.capacity() * 12
-            + self.uvs.capacity() * 8
-            + self.numbers.capacity() * 4
-            + self.normal_corners.heap_bytes()
-            + self.uv_corners.heap_bytes()
-            + textures
-            + self.tree.heap_bytes()
+        self.faces.heap_bytes()
     }
 }
 

@@ -74,7 +74,7 @@ fn faces_without_area_are_left_out() {
         kind: "mesh2",
         ..Default::default()
     };
-    assert_eq!(builder.build().face_count(), 1);
+    assert_eq!(builder.build().faces().face_count(), 1);
     assert_eq!(MeshBuilder::default().build().bounds(), Aabb::EMPTY);
 }
 
@@ -94,7 +94,7 @@ fn nearest_agrees_with_all_faces() {
     for _ in 0..2000 {
         let ray = Ray::new(2.0 * random.direction(), random.direction());
         let shear = Shear::new(ray.dir);
-        let all = (0..mesh.face_count()).filter_map(|f| mesh.pass(f, &ray, &shear));
+        let all = (0..mesh.faces().face_count()).filter_map(|f| mesh.faces().pass(f, &ray, &shear));
         let all: Vec<Crossing> = all.filter(|h| h.0 > 0.0).map(|h| Mesh::crossing(0, h)).collect();
         let mut found = Vec::new();
         mesh.crossings(&ray, Range::FORWARD, &mut found);
