@@ -200,6 +200,33 @@ fn pictures_are_the_same_for_all_thread_counts() {
     }
 }
 
+/// The second picture begins with what the first one found, and gathers less.
+#[test]
+fn radiosity_is_kept_in_a_file() {
+    let folder = Folder::new("radiosity");
+    folder.write(
+        "a.pov",
+        "#version 3.7; global_settings { assumed_gamma 1 radiosity { count 20 recursion_limit 1 } }
+        camera { location <0, 1, -4> look_at <0, 0.5, 0> } plane { y, 0 pigment { rgb 0.8 } }
+        sphere { y, 0.8 pigment { rgb <0.3, 0.5, 0.8> } finish { emission 1 } }",
+    );
+    let run = |words: &[&str]| {
+        let common = ["render", "a.pov", "-W32", "-H24", "-q", "--save-radiosity", "kept.rca"];
+        let done = folder.glint(&[&common, words].concat());
+        assert_eq!(code(&done), Some(0), "{}", stderr(&done));
+        std::fs::read_to_string(folder.path("kept.rca")).unwrap()
+    };
+    let load = ["--load-radiosity", "kept.rca"];
+    let first = run(&load);
+    let second = run(&load);
+    let (all, more) = (first.lines().count(), second.lines().count() - first.lines().count());
+    assert!(all > 50 && more < all / 2, "{all} samples, then {more}");
+    folder.write("kept.rca", "C1 2 3\n");
+    let done = folder.glint(&["render", "a.pov", "-W8", "-H6", "--load-radiosity", "kept.rca"]);
+    assert_eq!(code(&done), Some(3));
+    assert!(stderr(&done).contains("line 1 is no sample of radiosity"), "{}", stderr(&done));
+}
+
 #[test]
 fn a_region_keeps_the_size() {
     let folder = Folder::new("region");

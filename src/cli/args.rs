@@ -241,6 +241,12 @@ pub struct RenderArgs {
     /// Bits of a channel in a PNG file
     #[arg(long, value_name = "8|16", default_value = "8", value_parser = PossibleValuesParser::new(["8", "16"]))]
     pub bits: String,
+    /// A file of radiosity samples to begin with; it need not be there yet
+    #[arg(long, value_name = "FILE")]
+    pub load_radiosity: Option<PathBuf>,
+    /// Write radiosity's samples to a file, those that were loaded among them
+    #[arg(long, value_name = "FILE")]
+    pub save_radiosity: Option<PathBuf>,
     /// Also write the unfinished picture every few seconds
     #[arg(long)]
     pub partial: bool,

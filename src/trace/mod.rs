@@ -23,11 +23,12 @@ mod subsurface;
 mod tracer;
 
 pub use photon::{Photons, Shooting};
-pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile};
+pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile, file as radiosity_file};
 pub use tracer::{Indirect, Tracer};
 
 use crate::math::Vec3;
 pub use crate::picture::Pixel;
+use std::sync::Arc;
 
 /// What the caller decides about a picture, apart from the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +43,8 @@ pub struct Settings {
     /// Whether each place gets samples until its noise is gone, so that a sample may leave to chance which
     /// lamps of an area light it tests.
     pub sparse_lamps: bool,
+    /// Samples of radiosity that are known before the picture begins.
+    pub known_light: Arc<Vec<Sample>>,
 }
 
 /// What replaces words of the scene; what is `None` stays as the scene has it.
@@ -68,6 +71,7 @@ impl Default for Settings {
             alpha: false,
             overrides: Overrides::default(),
             sparse_lamps: false,
+            known_light: Arc::default(),
         }
     }
 }

@@ -12,7 +12,7 @@ mod table;
 mod words;
 
 use super::exit::{Exit, Failure};
-use super::render::{Plan, Task, pool, run_all};
+use super::render::{Plan, RadiosityFiles, Task, pool, run_all};
 use super::scene;
 use crate::color::Gamma;
 use crate::interp;
@@ -92,6 +92,7 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
         untraced: Pixel::default(),
         file_gamma: file_gamma(settings)?,
         dither: dither(settings)?,
+        radiosity: radiosity(settings),
         quiet: !settings.flag("All_Console", true),
         partial: false,
         pool: pool(threads)?,
@@ -144,6 +145,13 @@ fn dither(settings: &Settings) -> Result<Dither, Failure> {
         "FS" => Ok(Dither::FloydSteinberg),
         _ => Err(Failure::usage(format!("Dither_Method={method}: expected B2, B3, B4, D1, D2 or FS"))),
     }
+}
+
+/// The name is the reference's own where none is given.
+fn radiosity(settings: &Settings) -> RadiosityFiles {
+    let name = settings.text("Radiosity_File_Name").filter(|n| !n.is_empty()).unwrap_or("object.rca");
+    let wanted = |keyword: &str| settings.flag(keyword, false).then(|| PathBuf::from(name));
+    RadiosityFiles { load: wanted("Radiosity_From_File"), save: wanted("Radiosity_To_File") }
 }
 
 /// The part of the picture that is traced: rows and columns counted from 1, the last one included; numbers

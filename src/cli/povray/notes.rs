@@ -75,10 +75,7 @@ const WITHOUT_EFFECT: &[(&str, &[&str])] = &[
             "Odd_Field",
         ],
     ),
-    (
-        "radiosity files are neither read nor written",
-        &["Radiosity_File_Name", "Radiosity_From_File", "Radiosity_To_File", "Radiosity_Vain_Pretrace"],
-    ),
+    ("the pretrace shows nothing, and computes what it needs", &["Radiosity_Vain_Pretrace"]),
     (
         "rendering starts no programs",
         &[

@@ -176,12 +176,12 @@ impl<'a> Job<'a> {
     }
 
     fn trace(&self, world: &World, live: &Live) -> Result<Counters, Failure> {
-        let settings = self.plan.trace_settings();
+        let settings = self.plan.trace_settings()?;
         let rendering = self.plan.settings(world.scene.globals.gamma);
         let canvas = &live.canvas;
         let pool = &self.plan.pool;
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
-        self.save_photons(world, &light)?;
+        self.save_light(world, &light)?;
         let sampler = || Tracer::lit(world, &settings, &light);
         let tracers = render(&rendering, pool, &canvas.picture, canvas, sampler);
         Ok(total(counters, &tracers))
@@ -194,7 +194,7 @@ impl<'a> Job<'a> {
         accuracy: &Accuracy,
         wall: &Wall,
     ) -> Result<(Counters, Option<Reached>), Failure> {
-        let settings = self.plan.trace_settings();
+        let settings = self.plan.trace_settings()?;
         let rendering = self.plan.settings(world.scene.globals.gamma);
         // A processor that others use as well will be as slow at the end as it has been so far.
         let busy = (wall.seconds() / cpu_seconds().max(1e-3)).clamp(1.0, BUSIEST);
@@ -202,12 +202,18 @@ impl<'a> Job<'a> {
         let sampling = accuracy.settings(self.plan.region, Light::new(world.scene.globals.gamma), late);
         let (pool, canvas) = (&self.plan.pool, &live.canvas);
         let (light, counters) = indirect(world, &settings, &rendering, pool, canvas);
-        self.save_photons(world, &light)?;
+        self.save_light(world, &light)?;
         let tracer = || Tracer::lit(world, &settings, &light);
         let outcome = adaptive::render(&sampling, pool, &canvas.picture, canvas, wall, tracer);
         let words = self.task.command(&self.plan.command);
         let reached = Reached::new(&outcome, self.plan.region, &words);
         Ok((total(counters, &outcome.samplers), Some(reached)))
+    }
+
+    /// Writes what was found before the picture began to the files that are to keep it.
+    fn save_light(&self, world: &World, light: &Indirect) -> Result<(), Failure> {
+        self.save_photons(world, light)?;
+        self.plan.radiosity.write(light.radiosity.as_ref().map_or(&[], |lighting| lighting.samples()))
     }
 
     /// Writes the photon maps where the scene wants them kept, if they are those that it asks for.

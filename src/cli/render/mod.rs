@@ -4,11 +4,13 @@ mod accuracy;
 mod job;
 mod monitor;
 mod plan;
+mod radiosity;
 mod report;
 
 pub use accuracy::{parse_error, parse_seconds, quoted};
 pub use job::Task;
 pub use plan::{Plan, pool};
+pub use radiosity::RadiosityFiles;
 
 use accuracy::Reached;
 

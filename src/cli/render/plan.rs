@@ -1,6 +1,7 @@
 //! Everything that was asked for, the same for all scenes of a batch.
 
 use super::accuracy::Accuracy;
+use super::radiosity::RadiosityFiles;
 use crate::cli::args::{AaMethod, Corners, Gi, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
@@ -33,6 +34,7 @@ pub struct Plan {
     pub untraced: Pixel,
     pub file_gamma: FileGamma,
     pub dither: Dither,
+    pub radiosity: RadiosityFiles,
     pub quiet: bool,
     pub partial: bool,
     pub pool: rayon::ThreadPool,
@@ -61,6 +63,10 @@ impl Plan {
             untraced: Pixel::NONE,
             file_gamma: FileGamma::Srgb,
             dither: Dither::None,
+            radiosity: RadiosityFiles {
+                load: args.load_radiosity.clone(),
+                save: args.save_radiosity.clone(),
+            },
             quiet: args.quiet,
             partial: args.partial,
             pool: pool(p.threads.map(usize::from))?,
@@ -85,15 +91,16 @@ impl Plan {
         Settings { region: self.region, antialias, block_size: self.block_size }
     }
 
-    pub fn trace_settings(&self) -> trace::Settings {
-        trace::Settings {
+    pub fn trace_settings(&self) -> Result<trace::Settings, Failure> {
+        Ok(trace::Settings {
             width: self.width,
             height: self.height,
             quality: self.quality,
             alpha: self.alpha,
             overrides: self.overrides,
             sparse_lamps: self.accuracy.is_some(),
-        }
+            known_light: self.radiosity.read()?,
+        })
     }
 }
 

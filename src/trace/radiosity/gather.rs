@@ -194,7 +194,6 @@ impl Radiosity {
             return;
         }
         let radius = (count as f64 / sums.inverse).max(low).min(high);
-        let spread = if self.depth == 0 { 1.0 } else { 0.125 };
         self.own.insert(Sample {
             depth: self.depth,
             point: query.departure.point,
@@ -204,7 +203,7 @@ impl Radiosity {
             radius: radius as f32,
             nearest: sums.nearest as f32,
             towards: sums.towards,
-            reach: radius * s.error_bound * scale * spread,
+            reach: super::reach(s, self.depth, radius),
         });
     }
 }

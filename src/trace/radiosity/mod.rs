@@ -8,6 +8,7 @@
 
 mod cache;
 mod directions;
+pub mod file;
 mod gather;
 mod pretrace;
 mod query;
@@ -38,10 +39,26 @@ impl Lighting {
         Some(Self { cache: Arc::default(), directions: Arc::new(Directions::new(radiosity.pool)) })
     }
 
+    /// Files what is known already, for settings that reuse it as they say.
+    fn with_known(mut self, samples: &[Sample], settings: &RadiositySettings) -> Self {
+        let cache = Arc::make_mut(&mut self.cache);
+        for sample in samples.iter().filter(|s| s.depth < settings.recursion_limit) {
+            let reach = reach(settings, sample.depth, f64::from(sample.radius));
+            cache.insert(Sample { reach, ..sample.clone() });
+        }
+        self
+    }
+
     /// Samples of all depths.
     pub fn samples(&self) -> &[Sample] {
         self.cache.samples()
     }
+}
+
+/// How far around itself a sample is filed.
+fn reach(settings: &RadiositySettings, depth: u32, radius: f64) -> f64 {
+    let spread = if depth == 0 { 1.0 } else { 0.125 };
+    radius * settings.error_bound * f64::from(1u32 << depth) * spread
 }
 
 /// A tracer's part in radiosity.

@@ -63,6 +63,7 @@ impl<'w> Pretrace<'w> {
     ) -> Option<Self> {
         let lighting = Lighting::unknown(world, settings).filter(|_| !settings.overrides.reference)?;
         let radiosity = world.scene.globals.radiosity.clone()?;
+        let lighting = lighting.with_known(&settings.known_light, &radiosity);
         let pool = lighting.directions.len();
         let next = |serial: usize| vec![first_direction(serial, pool); radiosity.recursion_limit as usize];
         let progress = |(serial, tile): (usize, Tile)| Progress {
