@@ -1,10 +1,12 @@
-//! Scenes cut up, mixed and spoilt at random: reading them must neither panic, nor hang, nor take all memory.
+//! Scenes cut up, mixed and spoilt at random: reading and preparing them must neither panic, nor hang, nor take
+//! all memory.
 //!
 //! `GLINT_FUZZ_SECONDS=1800 GLINT_FUZZ_SEEDS=DIR cargo test --release --test fuzz` looks longer (5 seconds is the
 //! default), from the scenes in a folder too; GLINT_FUZZ_START=N begins with another random number. What is found
 //! is left in target/fuzz, and becomes a case of tests/bad, written anew.
 
 use glint::interp::{IncludeMode, Limits, Options, SceneSource, interpret};
+use glint::world::World;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -199,7 +201,9 @@ fn spoilt_scenes_are_survived() {
         fs::write("../now.pov", &text).unwrap();
         let source = SceneSource::Text { name: "scene".into(), text: text.clone() };
         let begun = Instant::now();
-        let read = catch_unwind(AssertUnwindSafe(|| interpret(source, &options(root)).scene.is_ok()));
+        let read = catch_unwind(AssertUnwindSafe(|| {
+            interpret(source, &options(root)).scene.map(World::prepare).is_ok()
+        }));
         if read.is_err() || begun.elapsed() > PATIENCE {
             let name = root.join(format!("target/fuzz/found-{count}.pov"));
             fs::write(&name, &text).unwrap();

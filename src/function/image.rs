@@ -1,4 +1,4 @@
-use super::{Function, FunctionValue, VectorKind};
+use super::{Function, FunctionValue, VectorKind, patience};
 use crate::color::Color;
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ impl FunctionImage {
         let step = |i: u32, count: u32| f64::from(i) / f64::from(count.max(2) - 1);
         let rows = (0..self.height).map(|i| step(i, self.height));
         rows.flat_map(|y| (0..self.width).map(move |j| [step(j, self.width), y, 0.0]))
-            .map(|p| texel(self.function.call(&p)))
+            .map(|p| texel(if patience::step() { self.function.call(&p) } else { FunctionValue::Float(0.0) }))
             .collect()
     }
 }

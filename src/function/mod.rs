@@ -10,6 +10,7 @@ mod image;
 mod internal;
 mod interval;
 mod number;
+pub mod patience;
 mod program;
 mod slope;
 mod surroundings;

@@ -2,6 +2,7 @@
 
 use super::external::Callee;
 use super::number::{Binary, Number, Unary};
+use super::patience;
 use smallvec::SmallVec;
 
 /// What an instruction does. Frequent operations have codes of their own.
@@ -169,6 +170,9 @@ impl Program {
                     a.choose(branch(0), branch(1), branch(2))
                 }
                 Code::Next => {
+                    if !patience::step() {
+                        return N::UNKNOWN;
+                    }
                     next = op.targets()[0];
                     a + 1.0
                 }
@@ -193,6 +197,9 @@ impl Program {
                     continue;
                 }
                 Code::Call => {
+                    if !patience::step() {
+                        return N::UNKNOWN;
+                    }
                     self.call(CallSite::unpack(op.immediate), &mut file);
                     continue;
                 }

@@ -5,6 +5,7 @@ use super::symbols::{Binding, GLOBAL};
 use super::{Result, Value};
 use crate::camera::Camera;
 use crate::color::Gamma;
+use crate::function::patience;
 use crate::material::Layer;
 use crate::pattern::NoiseGenerator;
 use crate::scene::{Background, Body, Globals, Object, Scene};
@@ -50,6 +51,7 @@ pub fn interpret_str(text: &str) -> Outcome {
 fn run(source: &SceneSource, options: &Options) -> Outcome {
     let mut parser = Parser::new(options.clone(), SceneBuilder::new());
     parser.predeclare(source);
+    parser.bound_functions();
     let read = parser.read(source).map_err(|mut diagnostic| {
         if diagnostic.trace.is_empty() {
             diagnostic.trace = parser.call_chain();
@@ -60,6 +62,7 @@ fn run(source: &SceneSource, options: &Options) -> Outcome {
         Ok(()) => parser.finish(),
         Err(diagnostic) => Err(diagnostic),
     };
+    patience::give_up_at(None);
     Outcome {
         scene,
         files: parser.files,

@@ -1,6 +1,7 @@
 //! How far a scene may go before it is refused.
 
 use super::{Parser, Result};
+use crate::function::patience;
 use crate::source::{Diagnostic, Span};
 use std::time::{Duration, Instant};
 
@@ -97,6 +98,16 @@ impl Watch {
 }
 
 impl Parser {
+    /// From now on functions called on this thread give up when the time to read the scene is over.
+    pub(super) fn bound_functions(&self) {
+        patience::give_up_at(self.watch.end);
+    }
+
+    /// The error if time ended while a function ran.
+    pub(crate) fn check_functions(&self) -> Result<()> {
+        if patience::gave_up() { self.look_at_resources() } else { Ok(()) }
+    }
+
     /// Looks at clock and memory now and then.
     #[inline]
     pub(super) fn watch(&mut self) -> Result<()> {
@@ -108,13 +119,14 @@ impl Parser {
         self.look_at_resources()
     }
 
+    #[cold]
     fn look_at_resources(&self) -> Result<()> {
         if self.watch.end.is_some_and(|end| Instant::now() > end) {
             let message =
                 format!("reading the scene takes more than {} seconds", self.options.limits.seconds);
             return Err(Box::new(
                 Diagnostic::error(self.last, message)
-                    .with_hint("does a loop never end? `--limit seconds=N` gives it more time"),
+                    .with_hint("does a loop or a function never end? `--limit seconds=N` gives it more time"),
             ));
         }
         match (self.options.limits.memory, used_memory()) {
@@ -124,7 +136,7 @@ impl Parser {
     }
 
     /// Refuses to allocate more than the limit leaves.
-    pub(super) fn reserve(&self, bytes: u64, span: Span) -> Result<()> {
+    pub(crate) fn reserve(&self, bytes: u64, span: Span) -> Result<()> {
         match self.options.limits.memory {
             Some(limit) if bytes > MEGABYTE && used_memory().unwrap_or(0).saturating_add(bytes) > limit => {
                 Err(self.out_of_memory(span, limit))

@@ -163,6 +163,10 @@ where
 
 /// Halves the patch until its pieces are flat or have been split as often as allowed.
 fn pieces(controls: &Controls, detail: PatchDetail) -> Option<Vec<PatchPiece>> {
+    // Nothing is flatter than that: every piece is halved as often as allowed.
+    if detail.flatness <= 0.0 && detail.u_steps + detail.v_steps > MAX_PIECES.ilog2() {
+        return None;
+    }
     let mut done = Vec::new();
     let mut todo = vec![(*controls, PatchPiece { low: Vec2::ZERO, high: Vec2::ONE }, 0u32)];
     while let Some((c, piece, depth)) = todo.pop() {

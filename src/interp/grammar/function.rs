@@ -21,6 +21,9 @@ const LARGEST_NESTING: usize = 200;
 /// Largest side of a picture made by a function.
 const LARGEST_SIDE: f64 = 32_768.0;
 
+/// About what a sample of such a picture takes while it is made.
+const BYTES_PER_TEXEL: u64 = 16;
+
 /// A name that stands for an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Name {
@@ -80,6 +83,7 @@ impl Parser {
         let span = word.span.to(self.peek()?.span);
         let function = self.function_braces(None, word.span)?;
         let side = |v: f64| v.clamp(1.0, LARGEST_SIDE) as u32;
+        self.reserve(BYTES_PER_TEXEL * u64::from(side(width)) * u64::from(side(height)), span)?;
         if !matches!(function.vector_kind(), None | Some(VectorKind::Color)) || function.arity() != 3 {
             let message = "a picture cannot be made of this kind of function";
             let error = Diagnostic::error(span, message)
@@ -533,7 +537,9 @@ impl Parser {
         }
         self.expect_punct(Punct::RightParen)?;
         self.settle_surroundings();
-        Ok(match function.call(&arguments) {
+        let value = function.call(&arguments);
+        self.check_functions()?;
+        Ok(match value {
             FunctionValue::Float(v) => Value::Float(v),
             FunctionValue::Vector(n, v) => Value::Vector(n, v),
             FunctionValue::Color(c) => Value::Color(c),

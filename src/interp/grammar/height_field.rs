@@ -44,7 +44,9 @@ impl Parser {
             Tok::Word(Keyword::Function) => {
                 let function = self.function_image()?;
                 let (width, height) = (function.width as usize, function.height as usize);
-                Ok(Heights { width, height, samples: function.greys() })
+                let samples = function.greys();
+                self.check_functions()?;
+                Ok(Heights { width, height, samples })
             }
             Tok::Word(Keyword::Pot) => self.pot_heights(),
             _ => {

@@ -125,6 +125,7 @@ impl Parser {
             true => (4, function.colors().concat()),
             false => (1, function.greys()),
         };
+        self.check_functions()?;
         let samples = Samples::Words { channels, data, max: u16::MAX };
         let (width, height) = (function.width as usize, function.height as usize);
         Ok(Arc::new(Image::new(Decoded { width, height, samples, profile: Profile::Unknown }, &Reading::RAW)))
