@@ -122,6 +122,11 @@ pub trait Shape: Debug + Send + Sync {
         self.bounds()
     }
 
+    /// Whether the scene language takes the bounds for the shape's extent.
+    fn has_extent(&self) -> bool {
+        true
+    }
+
     /// Appends every crossing inside `range`, in the order that the specification gives for exact ties
     /// (the one appended last wins).
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>);

@@ -82,6 +82,8 @@ pub(super) struct Compound {
     pub clips: Vec<Child>,
     /// A ray that misses one of these, and does not start in it, misses everything.
     pub gates: Vec<Solid>,
+    /// Around an intersection with members that are not bounded: what they are asked about is cut to this.
+    pub around: Option<Reach>,
 }
 
 /// All crossings of the children of an intersection along one ray: a stretch of the list of
@@ -103,7 +105,24 @@ enum Constant {
 impl Compound {
     /// An empty union.
     pub fn nothing() -> Self {
-        Self { op: Op::Union, children: Vec::new(), tree: None, clips: Vec::new(), gates: Vec::new() }
+        let (children, clips, gates) = (Vec::new(), Vec::new(), Vec::new());
+        Self { op: Op::Union, children, tree: None, clips, gates, around: None }
+    }
+
+    /// Notes where all of an intersection lies.
+    pub fn enclose(&mut self, extent: &Extent) {
+        let unbounded = self.children.iter().any(|c| !c.extent.surface.is_finite());
+        if self.op == Op::Intersection && unbounded && !extent.outside && extent.hull.is_finite() {
+            self.around = Some(Reach::new(&extent.hull));
+        }
+    }
+
+    /// The part of `range` where there may be anything of an intersection.
+    fn within(&self, probe: &Probe, range: Range) -> Option<Range> {
+        match &self.around {
+            Some(around) => probe.within(around, range),
+            None => Some(range),
+        }
     }
 
     /// Whether the ray meets or starts in all gates.
@@ -129,6 +148,7 @@ impl Compound {
             Op::Union => self.nearest_clipped(geometry, probe, range, lists),
             Op::Merge => self.nearest_of_merge(geometry, probe, range, lists),
             Op::Intersection => {
+                let range = self.within(probe, range)?;
                 let candidates = self.candidates(geometry, probe, range, lists)?;
                 let nearest = self.nearest_kept(geometry, probe.ray, range, candidates, lists);
                 lists.found.truncate(nearest.1);
@@ -276,6 +296,7 @@ impl Compound {
             }),
             Op::Merge => self.crossings_of_merge(geometry, probe, range, lists),
             Op::Intersection => {
+                let Some(range) = self.within(probe, range) else { return };
                 let Some(mut candidates) = self.candidates(geometry, probe, range, lists) else { return };
                 let count = candidates.owners.len();
                 let keeps: SmallVec<[bool; 16]> = (0..count)

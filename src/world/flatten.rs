@@ -35,6 +35,8 @@ pub(super) struct Flattened {
     pub targets: Vec<PhotonTarget>,
     /// Objects that lights shine through, by [`WorldLight::projected_through`].
     pub projectors: Vec<Solid>,
+    /// For questions of the scene language, whose extents the boxes are.
+    asked: bool,
     surface_numbers: HashMap<SurfaceKey, u32>,
     shading_numbers: HashMap<Shading, u32>,
 }
@@ -125,7 +127,7 @@ impl Flattened {
 
     /// One object alone, for questions asked while the text is read.
     pub fn of_one(object: &Object) -> (Self, Solid, Aabb) {
-        let mut flat = Flattened::default();
+        let mut flat = Flattened { asked: true, ..Flattened::default() };
         let built = flat.solid(object, &Inherited::top());
         let (solid, bounds) = built.map_or_else(|| (flat.nothing(), Aabb::EMPTY), |b| (b.solid, b.bounds));
         (flat, solid, bounds)
@@ -250,7 +252,7 @@ impl Flattened {
         let inverted = inverted && replacement.is_none();
         let shape = replacement.unwrap_or_else(|| shape.clone());
         let shape = shape.placed(&to_world).unwrap_or(shape);
-        let bounds = if inverted {
+        let bounds = if inverted || (self.asked && !shape.has_extent()) {
             Aabb::INFINITE
         } else if outer.in_intersection {
             to_world.bounds(&shape.inside_bounds())
@@ -321,6 +323,7 @@ impl Flattened {
         } else {
             children.into_iter().for_each(|child| compound.absorb(&self.geometry, child));
         }
+        compound.enclose(&extent);
         self.geometry.compounds[slot as usize] = compound;
         Built { solid: Solid::Compound(slot), bounds, extent }
     }

@@ -64,11 +64,25 @@ impl<'r> Probe<'r> {
     /// Whether the ray may meet a box; true when in doubt.
     #[inline]
     pub fn meets(&self, b: &Reach, range: Range) -> bool {
+        let (near, far) = self.ends(b, range);
+        near <= far
+    }
+
+    /// The part of `range` in which the ray may be in a box.
+    #[inline]
+    pub fn within(&self, b: &Reach, range: Range) -> Option<Range> {
+        let (near, far) = self.ends(b, range);
+        let (near, far) = (f64::from(near).max(range.min), f64::from(far).min(range.max));
+        (near <= far).then(|| Range::new(near, far))
+    }
+
+    #[inline]
+    fn ends(&self, b: &Reach, range: Range) -> (f32, f32) {
         let u = (b.min - self.pad - self.origin) * self.inverse;
         let v = (b.max + self.pad - self.origin) * self.inverse;
         let near = u.min(v).max_element().max(range.min as f32);
         let far = u.max(v).min_element().min(range.max as f32);
-        near - near.abs() * SLACK <= far + far.abs() * SLACK
+        (near - near.abs() * SLACK, far + far.abs() * SLACK)
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! Coefficients are written lowest power first: `c[0] + c[1] t + c[2] t² + …`.
 //!
-//! The roots of the derivative cut the range into pieces on which the polynomial is monotone; each piece
+//! Signs of Bernstein coefficients part the roots where rounding lets them ([`bernstein`]). Else the roots of
+//! the derivative are sought, and theirs before: the roots of the derivative cut the range into pieces on which the polynomial is monotone; each piece
 //! whose ends differ in sign holds exactly one root, which Newton's method finds inside a shrinking
 //! bracket. Whether there is a root is decided by signs alone, so a ray that starts just outside a surface
 //! and leaves it cannot meet it again at a distance of a few roundings. No coefficient is ever taken for
@@ -10,7 +11,10 @@
 //!
 //! Reference: C. Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022.
 
+mod bernstein;
+
 use super::{EPSILON, Range};
+use bernstein::isolate;
 use smallvec::SmallVec;
 
 /// Roots in ascending order.
@@ -33,11 +37,13 @@ pub enum Touching {
 }
 
 /// Value at `t`.
+#[inline(always)]
 pub fn value(c: &[f64], t: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &k| sum * t + k)
 }
 
 /// Value and first derivative at `t`.
+#[inline(always)]
 pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
     c.iter().rev().fold((0.0, 0.0), |(f, d), &k| (f * t + k, d * t + f))
 }
@@ -104,6 +110,9 @@ pub fn sign_changes(c: &[f64], low: (f64, f64), high: (f64, f64)) -> Roots {
         }
         return out;
     }
+    if isolated(c, low, high, false, &mut out) {
+        return out;
+    }
     let slope = derivative(c);
     let mut turns = Roots::new();
     let changes = Wanted { touching: Touching::Skip, close: CLOSE, first: false };
@@ -158,8 +167,40 @@ fn collect(c: &[f64], lo: f64, hi: f64, wanted: Wanted, out: &mut Roots) {
         0 | 1 => {}
         2 => push_inside(-c[0] / c[1], lo, hi, out),
         3 => quadratic(c, lo, hi, touching, out),
+        _ if parted(c, lo, hi, wanted, out) => {}
         4..=8 => through_derivatives::<8>(c, lo, hi, wanted, out),
         _ => through_derivatives::<MAX_COEFFICIENTS>(c, lo, hi, wanted, out),
+    }
+}
+
+/// Whether the signs of Bernstein coefficients tell the roots, which are appended then.
+fn parted(c: &[f64], lo: f64, hi: f64, wanted: Wanted, out: &mut Roots) -> bool {
+    wanted.close == EXACT
+        && isolated(c, (lo, value_beside(c, lo, 1.0)), (hi, value_beside(c, hi, -1.0)), wanted.first, out)
+}
+
+/// The same between two ends with known values.
+fn isolated(c: &[f64], low: (f64, f64), high: (f64, f64), first: bool, out: &mut Roots) -> bool {
+    fn of<const N: usize>(
+        c: &[f64],
+        low: (f64, f64),
+        high: (f64, f64),
+        first: bool,
+        out: &mut Roots,
+    ) -> bool {
+        c.first_chunk::<N>().is_some_and(|c| isolate(c, low, high, first, out))
+    }
+    if low.1 == 0.0 || high.1 == 0.0 {
+        return false;
+    }
+    match c.len() {
+        4 => of::<4>(c, low, high, first, out),
+        5 => of::<5>(c, low, high, first, out),
+        6 => of::<6>(c, low, high, first, out),
+        7 => of::<7>(c, low, high, first, out),
+        9 => of::<9>(c, low, high, first, out),
+        11 => of::<11>(c, low, high, first, out),
+        _ => false,
     }
 }
 
@@ -278,6 +319,7 @@ fn value_beside(c: &[f64], x: f64, side: f64) -> f64 {
 
 /// The root between two ends with values of different sign: Newton's method, with a bisection whenever a
 /// step leaves the bracket or shrinks it too slowly.
+#[inline(always)]
 fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64), closeness: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;

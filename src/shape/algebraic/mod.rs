@@ -10,8 +10,12 @@
 //! Numerical care: along a ray the polynomial in the distance is expanded, by Horner's rule in x, y and z,
 //! around the ray's point closest to the origin of the object's space, so a distant camera costs no digits.
 //! Roots are told by sign changes and bracketed (see `math::polynomial`); where the polynomial touches zero
-//! without changing its sign there is one crossing, so double surfaces are visible.
+//! without changing its sign there is one crossing, so double surfaces are visible. Surfaces that are proven to
+//! be bounded have a box ([`extent`]).
 
+mod extent;
+
+use super::span::slab;
 use super::{COINCIDENT, Crossing, Shape, rounding};
 use crate::math::polynomial::{self, Touching};
 use crate::math::{Aabb, Range, Ray, Vec3};
@@ -24,6 +28,10 @@ pub struct Algebraic {
     lines: Vec<Line>,
     /// By falling powers of z, each line from its own highest one.
     coefficients: Vec<f64>,
+    /// Around the surface.
+    bounds: Aabb,
+    /// Around the inside.
+    inside: Aabb,
 }
 
 /// What is multiplied by one power of x.
@@ -71,7 +79,9 @@ impl Algebraic {
         if coefficients.len() != Self::count(order) {
             return None;
         }
-        let mut out = Self { order, planes: Vec::new(), lines: Vec::new(), coefficients: Vec::new() };
+        let (bounds, inside) = (Aabb::INFINITE, Aabb::INFINITE);
+        let mut out =
+            Self { order, planes: Vec::new(), lines: Vec::new(), coefficients: Vec::new(), bounds, inside };
         let mut rest = &coefficients[..];
         for i in (0..=order).rev() {
             let first = out.lines.len();
@@ -86,6 +96,12 @@ impl Algebraic {
             }
             if first < out.lines.len() {
                 out.planes.push(Plane { power: i, lines: (first, out.lines.len()) });
+            }
+        }
+        if let Some((bounds, negative_outside)) = out.extent() {
+            out.bounds = bounds;
+            if !negative_outside {
+                out.inside = bounds;
             }
         }
         Some(out)
@@ -170,15 +186,37 @@ impl Algebraic {
         )
     }
 
-    /// Calls `solve` with the ray's point closest to the origin and the polynomial from there.
-    fn with_expanded<R>(&self, ray: &Ray, solve: impl Fn(f64, &[f64]) -> R) -> R {
+    /// Calls `solve` with the ray's point closest to the origin, the polynomial from there, and the part of the
+    /// range in which there may be roots; `None` if there is none.
+    fn with_expanded<R>(
+        &self,
+        ray: &Ray,
+        range: Range,
+        solve: impl Fn(f64, &[f64], Range) -> R,
+    ) -> Option<R> {
+        let range = self.within(ray, range)?;
         let shift = -ray.origin.dot(ray.dir);
         let p = ray.at(shift);
-        match self.order {
-            0..=4 => solve(shift, self.along::<5>(p, ray.dir).slice()),
-            5..=8 => solve(shift, self.along::<9>(p, ray.dir).slice()),
-            _ => solve(shift, self.along::<{ Self::MAX_ORDER + 1 }>(p, ray.dir).slice()),
+        let range = Range::new(range.min - shift, range.max - shift);
+        Some(match self.order {
+            0..=4 => solve(shift, self.along::<5>(p, ray.dir).slice(), range),
+            5..=8 => solve(shift, self.along::<9>(p, ray.dir).slice(), range),
+            _ => solve(shift, self.along::<{ Self::MAX_ORDER + 1 }>(p, ray.dir).slice(), range),
+        })
+    }
+
+    /// The part of a range in which the ray is inside the bounds.
+    fn within(&self, ray: &Ray, range: Range) -> Option<Range> {
+        if !self.bounds.is_finite() {
+            return Some(range);
         }
+        let (mut min, mut max) = (range.min, range.max);
+        for axis in 0..3 {
+            let (near, far) =
+                slab(ray.origin[axis], ray.dir[axis], self.bounds.min[axis], self.bounds.max[axis])?;
+            (min, max) = (min.max(near), max.min(far));
+        }
+        (min < max).then(|| Range::new(min, max))
     }
 }
 
@@ -204,22 +242,30 @@ impl<const N: usize> Univariate<N> {
 
 impl Shape for Algebraic {
     fn bounds(&self) -> Aabb {
-        Aabb::INFINITE
+        self.bounds
+    }
+
+    fn inside_bounds(&self) -> Aabb {
+        self.inside
+    }
+
+    fn has_extent(&self) -> bool {
+        false
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let (shift, found) = self.with_expanded(ray, |shift, c| {
-            let range = Range::new(range.min - shift, range.max - shift);
+        let found = self.with_expanded(ray, range, |shift, c, range| {
             (shift, polynomial::roots(c, range, Touching::Once))
         });
-        out.extend(found.into_iter().map(|s| Crossing::new(s + shift)));
+        if let Some((shift, found)) = found {
+            out.extend(found.into_iter().map(|s| Crossing::new(s + shift)));
+        }
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.with_expanded(ray, |shift, c| {
-            let range = Range::new(range.min - shift, range.max - shift);
+        self.with_expanded(ray, range, |shift, c, range| {
             polynomial::first_root(c, range, Touching::Once).map(|s| Crossing::new(s + shift))
-        })
+        })?
     }
 
     fn contains(&self, p: Vec3) -> bool {
@@ -320,6 +366,42 @@ mod tests {
             }
         }
         assert!(hits > 100);
+    }
+
+    #[test]
+    fn boxes_hold_the_whole_surface_and_are_not_much_larger() {
+        let heart = with_terms(
+            6,
+            &[(6, 0, 0, 1.0), (0, 6, 0, 2.0), (0, 0, 6, 1.5), (1, 1, 0, -0.5), (0, 0, 0, -0.2)],
+        );
+        for bounded in [torus(1.4, 0.45), heart] {
+            let free = Algebraic { bounds: Aabb::INFINITE, inside: Aabb::INFINITE, ..bounded.clone() };
+            let mut random = crate::shape::conformance::Random::new(5);
+            let mut seen = Aabb::EMPTY;
+            for _ in 0..20_000 {
+                let ray = Ray::new(3.0 * random.direction(), random.direction());
+                let mut all = Vec::new();
+                free.crossings(&ray, Range::LINE, &mut all);
+                seen = all.iter().fold(seen, |b, c| b.extended(ray.at(c.t)));
+            }
+            let bounds = bounded.bounds();
+            assert!(bounds.min.cmple(seen.min).all() && bounds.max.cmpge(seen.max).all(), "{bounds:?} {seen:?}");
+            assert!((bounds.size() - seen.size()).max_element() < 0.15 * seen.size().max_element());
+        }
+    }
+
+    #[test]
+    fn surfaces_that_go_on_for_ever_have_no_box() {
+        let saddle = with_terms(4, &[(4, 0, 0, 1.0), (0, 4, 0, -1.0), (0, 0, 4, 1.0), (0, 0, 0, -1.0)]);
+        let pipe = with_terms(4, &[(4, 0, 0, 1.0), (0, 4, 0, 1.0), (0, 0, 0, -1.0)]);
+        let cubic = with_terms(3, &[(3, 0, 0, 1.0), (0, 2, 0, 1.0), (0, 0, 2, 1.0)]);
+        for s in [saddle, pipe, cubic] {
+            assert_eq!(s.bounds(), Aabb::INFINITE);
+        }
+        // Everything but a ball.
+        let terms = [(2, 0, 0, -1.0), (0, 2, 0, -1.0), (0, 0, 2, -1.0), (0, 0, 0, 1.0)];
+        let hole = with_terms(2, &terms);
+        assert!(hole.bounds().is_finite() && !hole.inside_bounds().is_finite());
     }
 
     #[test]
