@@ -4,7 +4,7 @@ use super::object::from_shape;
 use crate::interp::{Parser, Result};
 use crate::math::field::Field;
 use crate::scene::Object;
-use crate::shape::{Container, Parametric};
+use crate::shape::Parametric;
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Tok, Token};
 use std::sync::Arc;
@@ -18,14 +18,7 @@ impl Parser {
         let low = self.vector2()?;
         self.comma()?;
         let high = self.vector2()?;
-        let mut surface = Parametric {
-            functions,
-            low: low.min(high),
-            high: low.max(high),
-            container: Container::default(),
-            accuracy: 0.001,
-            max_gradient: 1.0,
-        };
+        let mut surface = Parametric::new(functions, low.min(high), low.max(high));
         while self.parametric_setting(&mut surface)? {}
         Ok(from_shape(surface))
     }

@@ -2,7 +2,7 @@
 //!
 //! Far from the origin the terms of the highest degree decide. Where these are of one sign in all directions, a
 //! cube can be given outside of which the others cannot make up for them; from all sides parts are then cut
-//! off it in which interval arithmetic finds no zero. Every step is a proof: a surface for which none is
+//! off it in which there is no zero, as the polynomial about the part's middle tells. Every step is a proof: a surface for which none is
 //! found within a fixed number of trials counts as unbounded.
 //!
 //! Numerical care: an interval is widened by far more than its rounding, and by what the roots' search takes
@@ -15,9 +15,13 @@ use crate::math::{Aabb, Vec3};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Least and greatest value.
-#[derive(Clone, Copy)]
-struct Interval(f64, f64);
+/// All coefficients up to a power, those that are 0 too: of x^i y^j z^k at place (i (n + 1) + j) (n + 1) + k.
+struct Dense {
+    order: usize,
+    coefficients: Vec<f64>,
+    /// Those that are not 0, with their powers.
+    used: Vec<([usize; 3], f64)>,
+}
 
 /// A part of space with what it is looked at for; the largest key comes first.
 struct Cell {
@@ -25,27 +29,14 @@ struct Cell {
     part: Aabb,
 }
 
+/// Polynomials of a higher degree get no box: finding it would take too long.
+const LARGEST_DEGREE: usize = 8;
 /// How many parts of space are looked at for each side, and for the terms of highest degree.
-const TRIALS: usize = 400;
-/// Sides are found to this part of the width.
-const PRECISION: f64 = 1.0 / 64.0;
+const TRIALS: usize = 500;
+/// Sides are found to this part of the width, at first and in the end.
+const PRECISIONS: [f64; 2] = [1.0 / 8.0, 1.0 / 32.0];
 /// Bound on the rounding of a value, as a part of the sum of its terms' sizes.
 const ROUNDING: f64 = 1e-10;
-
-impl Interval {
-    fn times(self, o: Interval) -> Interval {
-        let p = [self.0 * o.0, self.0 * o.1, self.1 * o.0, self.1 * o.1];
-        Interval(p[0].min(p[1]).min(p[2].min(p[3])), p[0].max(p[1]).max(p[2].max(p[3])))
-    }
-
-    fn plus(self, o: Interval) -> Interval {
-        Interval(self.0 + o.0, self.1 + o.1)
-    }
-
-    fn largest(self) -> f64 {
-        self.0.abs().max(self.1.abs())
-    }
-}
 
 impl PartialEq for Cell {
     fn eq(&self, other: &Self) -> bool {
@@ -80,42 +71,84 @@ fn halves(part: Aabb) -> [Aabb; 2] {
 impl Algebraic {
     /// A box around the surface, and whether the polynomial is negative all over outside of it.
     pub(super) fn extent(&self) -> Option<(Aabb, bool)> {
-        let degree = self.degree()?;
+        if self.order > LARGEST_DEGREE {
+            return None;
+        }
+        let all = Dense::new(self);
+        let degree: usize = all.used.iter().map(|t| t.0.iter().sum()).max()?;
         if degree % 2 == 1 {
             return None;
         }
-        let top = self.of_degree(|d| d == degree);
-        let negative = top.value(Vec3::X) < 0.0;
-        let least = top.least_size(negative)?;
-        let reach = self.reach(degree, least)?;
+        let top = all.of_degree(degree);
+        let negative = top.range(&Aabb::new(Vec3::X, Vec3::X)).1 < 0.0;
+        let reach = all.reach(degree, top.least_size(negative)?)?;
         let mut bounds = Aabb::new(Vec3::splat(-reach), Vec3::splat(reach));
-        for axis in 0..3 {
-            for upper in [false, true] {
-                let side = self.side(bounds, axis, upper)?;
-                if upper { bounds.max[axis] = side } else { bounds.min[axis] = side }
+        for precision in PRECISIONS {
+            for axis in 0..3 {
+                for upper in [false, true] {
+                    let side = all.side(bounds, axis, upper, precision)?;
+                    if upper { bounds.max[axis] = side } else { bounds.min[axis] = side }
+                }
             }
         }
         let bounds = bounds.grown(1e-9 * reach);
         (bounds.is_finite() && !bounds.is_empty()).then_some((bounds, negative))
     }
+}
+
+impl Dense {
+    fn new(surface: &Algebraic) -> Self {
+        let order = surface.order;
+        let side = order + 1;
+        let mut coefficients = vec![0.0; side * side * side];
+        for plane in &surface.planes {
+            for line in &surface.lines[plane.lines.0..plane.lines.1] {
+                let terms = &surface.coefficients[line.terms.0..line.terms.1];
+                let first = (plane.power * side + line.power) * side;
+                terms.iter().rev().enumerate().for_each(|(k, &c)| coefficients[first + k] = c);
+            }
+        }
+        Self::of(order, coefficients)
+    }
+
+    fn of(order: usize, coefficients: Vec<f64>) -> Self {
+        let mut all = Self { order, coefficients, used: Vec::new() };
+        all.used = all.terms().filter(|t| t.1 != 0.0).collect();
+        all
+    }
+
+    /// Powers and coefficients.
+    fn terms(&self) -> impl Iterator<Item = ([usize; 3], f64)> {
+        let side = self.order + 1;
+        let powers = move |place: usize| [place / (side * side), place / side % side, place % side];
+        self.coefficients.iter().enumerate().map(move |(place, &c)| (powers(place), c))
+    }
+
+    /// The terms of one degree.
+    fn of_degree(&self, degree: usize) -> Dense {
+        let kept =
+            |(powers, c): ([usize; 3], f64)| if powers.iter().sum::<usize>() == degree { c } else { 0.0 };
+        Self::of(self.order, self.terms().map(kept).collect())
+    }
 
     /// Beyond this coordinate the terms of the highest degree, no smaller than `least` on the unit cube, are
     /// larger than all others together: Fujiwara's bound.
     fn reach(&self, degree: usize, least: f64) -> Option<f64> {
-        let mut reach = 0.0f64;
-        for d in 0..degree {
-            let size = self.of_degree(|k| k == d).magnitude(Vec3::ONE);
-            reach = reach.max((size / least).powf(1.0 / (degree - d) as f64));
+        let mut sizes = vec![0.0; degree];
+        for &(powers, c) in &self.used {
+            if let Some(size) = sizes.get_mut(powers.iter().sum::<usize>()) {
+                *size += c.abs();
+            }
         }
-        let reach = 2.0 * (1.0 + 1e-9) * reach;
+        let bound = |(d, size): (usize, &f64)| (size / least).powf(1.0 / (degree - d) as f64);
+        let reach = 2.0 * (1.0 + 1e-9) * sizes.iter().enumerate().map(bound).fold(0.0, f64::max);
         (reach > 0.0 && reach.is_finite()).then_some(reach)
     }
 
     /// A number that a form of even degree is not below (not above its negative, if it is to be negative) on
     /// the surface of the unit cube.
     fn least_size(&self, negative: bool) -> Option<f64> {
-        let sign = if negative { -1.0 } else { 1.0 };
-        let lower = |part: Aabb| {
+        let sized = |part: Aabb| {
             let v = self.range(&part);
             Cell { key: if negative { v.1 } else { -v.0 }, part }
         };
@@ -123,32 +156,33 @@ impl Algebraic {
         for axis in 0..3 {
             let mut face = Aabb::new(Vec3::NEG_ONE, Vec3::ONE);
             face.min[axis] = 1.0;
-            cells.push(lower(face));
+            cells.push(sized(face));
         }
-        let mut seen = f64::INFINITY;
         for _ in 0..TRIALS {
             let worst = cells.pop()?;
-            seen = seen.min(sign * self.value(worst.part.center()));
+            let middle = worst.part.center();
+            let there = self.range(&Aabb::new(middle, middle));
+            let seen = if negative { -there.1 } else { there.0 };
             if !(seen > 0.0) {
                 return None;
             }
             if -worst.key > 0.5 * seen {
                 return Some(-worst.key);
             }
-            cells.extend(halves(worst.part).map(lower));
+            cells.extend(halves(worst.part).map(sized));
         }
         let worst = cells.pop()?;
         (-worst.key > 0.0).then_some(-worst.key)
     }
 
     /// The lower or upper side, along one axis, of the part of `bounds` in which there may be zeros.
-    fn side(&self, bounds: Aabb, axis: usize, upper: bool) -> Option<f64> {
+    fn side(&self, bounds: Aabb, axis: usize, upper: bool, precision: f64) -> Option<f64> {
         let cell = |part: Aabb| {
             let v = self.range(&part);
             let key = if upper { part.max[axis] } else { -part.min[axis] };
             (v.0 <= 0.0 && v.1 >= 0.0).then_some(Cell { key, part })
         };
-        let precise = PRECISION * bounds.size()[axis];
+        let precise = precision * bounds.size()[axis];
         let mut cells = BinaryHeap::new();
         cells.extend(cell(bounds));
         for _ in 0..TRIALS {
@@ -163,45 +197,80 @@ impl Algebraic {
         Some(if upper { key } else { -key })
     }
 
-    /// Bounds of the values in a part of space: those of Horner's rule and those by the slopes from its middle.
-    fn range(&self, part: &Aabb) -> Interval {
-        let sides: [Interval; 3] = std::array::from_fn(|i| Interval(part.min[i], part.max[i]));
-        let zero = [Interval(0.0, 0.0); 4];
-        let [value, slopes @ ..] = self.horner(
-            || zero,
-            |v, axis| {
-                let value = v[0];
-                v.iter_mut().for_each(|k| *k = k.times(sides[axis]));
-                v[axis + 1] = v[axis + 1].plus(value);
-            },
-            |v, w| v.iter_mut().zip(w).for_each(|(a, b)| *a = a.plus(*b)),
-            |v, c| v[0] = v[0].plus(Interval(c, c)),
-        );
-        let half = 0.5 * part.size();
-        let change: f64 = (0..3).map(|i| slopes[i].largest() * half[i]).sum();
-        let middle = self.value(part.center());
-        let slack = ROUNDING * self.magnitude(part.min.abs().max(part.max.abs()));
-        Interval(value.0.max(middle - change) - slack, value.1.min(middle + change) + slack)
+    /// Bounds of the values in a part of space: those of the terms, and those of the polynomial about its middle.
+    fn range(&self, part: &Aabb) -> (f64, f64) {
+        let (own, middle) = (self.range_of_terms(part), self.range_about_middle(part));
+        (own.0.max(middle.0), own.1.min(middle.1))
     }
 
-    /// The highest degree of a term; `None` without any.
-    fn degree(&self) -> Option<usize> {
-        (0..=self.order).rev().find(|&d| self.of_degree(|k| k == d).magnitude(Vec3::ONE) > 0.0)
+    fn range_of_terms(&self, part: &Aabb) -> (f64, f64) {
+        let mut powers = [[(1.0, 1.0); LARGEST_DEGREE + 1]; 3];
+        for axis in 0..3 {
+            let (mut a, mut b) = (1.0, 1.0);
+            let through = part.min[axis] < 0.0 && part.max[axis] > 0.0;
+            for power in &mut powers[axis][1..=self.order] {
+                (a, b) = (a * part.min[axis], b * part.max[axis]);
+                *power = (if through { a.min(b).min(0.0) } else { a.min(b) }, a.max(b));
+            }
+        }
+        let times = |(a, b): (f64, f64), (c, d): (f64, f64)| {
+            let (e, f, g, h) = (a * c, a * d, b * c, b * d);
+            (e.min(f).min(g.min(h)), e.max(f).max(g.max(h)))
+        };
+        let (mut low, mut high, mut slack) = (0.0, 0.0, 0.0);
+        for &([i, j, k], c) in &self.used {
+            let (a, b) = times(times(powers[0][i], powers[1][j]), times(powers[2][k], (c, c)));
+            (low, high) = (low + a, high + b);
+            slack += a.abs().max(b.abs());
+        }
+        (low - ROUNDING * slack, high + ROUNDING * slack)
     }
 
-    /// The terms of some degrees only.
-    fn of_degree(&self, wanted: impl Fn(usize) -> bool) -> Algebraic {
-        let mut part = self.clone();
-        for plane in &self.planes {
-            for line in &self.lines[plane.lines.0..plane.lines.1] {
-                let top = line.terms.1 - 1;
-                for i in line.terms.0..line.terms.1 {
-                    if !wanted(plane.power + line.power + top - i) {
-                        part.coefficients[i] = 0.0;
+    fn range_about_middle(&self, part: &Aabb) -> (f64, f64) {
+        let (middle, half, far) = (part.center(), 0.5 * part.size(), part.min.abs().max(part.max.abs()));
+        let about = self.moved(middle);
+        let (mut low, mut high, mut slack, mut place) = (0.0, 0.0, 0.0, 0);
+        let (mut near_x, mut far_x) = (1.0, 1.0);
+        for i in 0..=self.order {
+            let (mut near_y, mut far_y) = (near_x, far_x);
+            for j in 0..=self.order {
+                let (mut near_z, mut far_z) = (near_y, far_y);
+                for k in 0..=self.order {
+                    slack += (self.coefficients[place] * far_z).abs();
+                    let size = about[place] * near_z;
+                    if place == 0 {
+                        (low, high) = (size, size);
+                    } else if (i | j | k) % 2 == 0 {
+                        (low, high) = (low + size.min(0.0), high + size.max(0.0));
+                    } else {
+                        (low, high) = (low - size.abs(), high + size.abs());
+                    }
+                    place += 1;
+                    (near_z, far_z) = (near_z * half.z, far_z * far.z);
+                }
+                (near_y, far_y) = (near_y * half.y, far_y * far.y);
+            }
+            (near_x, far_x) = (near_x * half.x, far_x * far.x);
+        }
+        (low - ROUNDING * slack, high + ROUNDING * slack)
+    }
+
+    /// The coefficients with `to` for the origin: Horner's shift along one axis after the other.
+    fn moved(&self, to: Vec3) -> Vec<f64> {
+        let side = self.order + 1;
+        let mut c = self.coefficients.clone();
+        for (axis, stride) in [side * side, side, 1].into_iter().enumerate() {
+            if to[axis] == 0.0 {
+                continue;
+            }
+            for first in (0..c.len()).filter(|place| place / stride % side == 0) {
+                for lowest in 0..self.order {
+                    for n in (lowest..self.order).rev() {
+                        c[first + n * stride] += to[axis] * c[first + (n + 1) * stride];
                     }
                 }
             }
         }
-        part
+        c
     }
 }

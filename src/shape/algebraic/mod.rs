@@ -385,8 +385,12 @@ mod tests {
                 seen = all.iter().fold(seen, |b, c| b.extended(ray.at(c.t)));
             }
             let bounds = bounded.bounds();
-            assert!(bounds.min.cmple(seen.min).all() && bounds.max.cmpge(seen.max).all(), "{bounds:?} {seen:?}");
-            assert!((bounds.size() - seen.size()).max_element() < 0.15 * seen.size().max_element());
+            assert!(
+                bounds.min.cmple(seen.min).all() && bounds.max.cmpge(seen.max).all(),
+                "{bounds:?} {seen:?}"
+            );
+            let excess = (bounds.size() - seen.size()).max_element();
+            assert!(excess < 0.15 * seen.size().max_element(), "{bounds:?} {seen:?}");
         }
     }
 

@@ -113,6 +113,9 @@ impl Slice {
     }
 }
 
+/// Until a change of state is found to rounding.
+const MAX_STEPS: usize = 128;
+
 /// Steps past the start of a ray before its state is looked at.
 const SKIP: f64 = 1e-7;
 
@@ -193,16 +196,48 @@ impl Julia {
         }
     }
 
-    /// The last place inside next to a change of state.
+    /// The last place inside next to a change of state. Where the sizes of the last iterates are known they
+    /// say where to look next (regula falsi with halved weights); whether a place is inside is always asked.
     fn refined(&self, ray: &Ray, mut low: f64, mut high: f64, inside_first: bool) -> f64 {
-        while high - low > 4.0 * EPSILON * self.radius {
-            let middle = 0.5 * (low + high);
+        let mut ends = [low, high].map(|t| self.border(ray.at(t)).1);
+        let mut last = 2;
+        for step in 0..MAX_STEPS {
+            let width = high - low;
+            if width <= 4.0 * EPSILON * self.radius {
+                break;
+            }
+            let guess = match ends {
+                [Some(a), Some(b)] if step % 4 != 3 && a * b < 0.0 => low + width * (a / (a - b)),
+                _ => f64::NAN,
+            };
+            let middle = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
             if middle <= low || middle >= high {
                 break;
             }
-            if self.is_inside(ray.at(middle)) == inside_first { low = middle } else { high = middle }
+            let (inside, excess) = self.border(ray.at(middle));
+            let side = usize::from(inside != inside_first);
+            if side == 0 {
+                low = middle
+            } else {
+                high = middle
+            }
+            ends[side] = excess;
+            if side == last {
+                ends[1 - side] = ends[1 - side].map(|e| 0.5 * e);
+            }
+            last = side;
         }
         if inside_first { low } else { high }
+    }
+
+    /// Whether a point is inside, and how far its last iterate is beyond the limit, if that tells where the
+    /// border is.
+    fn border(&self, p: Vec3) -> (bool, Option<f64>) {
+        let z = [p.x, p.y, p.z, self.slice.fourth(p)];
+        match &self.algebra {
+            Algebra::Quaternion(q) => q.border(z, self.iterations),
+            Algebra::Hypercomplex(h) => (h.stays(z, self.iterations), None),
+        }
     }
 }
 

@@ -13,11 +13,13 @@ pub(super) struct Quaternions {
     pub limit: f64,
 }
 
-fn squared(z: Four) -> f64 {
-    z.iter().map(|v| v * v).sum()
+#[inline(always)]
+fn squared([x, y, z, w]: Four) -> f64 {
+    x * x + y * y + z * z + w * w
 }
 
 impl Quaternions {
+    #[inline(always)]
     fn next(&self, [x, y, z, w]: Four) -> Four {
         let d = y * y + z * z + w * w;
         let (real, factor) =
@@ -74,6 +76,25 @@ impl Quaternions {
             z = self.next(z);
         }
         Fate::Inside
+    }
+
+    /// Whether a point stays, and by how much the squared size of its last iterate that is looked at exceeds
+    /// the limit, as a logarithm; `None` if that is too far.
+    pub fn border(&self, mut z: Four, iterations: u32) -> (bool, Option<f64>) {
+        let mut stays = true;
+        for i in 0..iterations {
+            let size = squared(z);
+            stays &= size <= self.limit;
+            if i + 1 == iterations {
+                let excess = (size / self.limit).ln();
+                return (stays, excess.is_finite().then_some(excess));
+            }
+            if !(size < 1e60) {
+                break;
+            }
+            z = self.next(z);
+        }
+        (stays, None)
     }
 
     /// The gradient of the last iterate's squared size.
