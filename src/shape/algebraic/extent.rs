@@ -32,7 +32,7 @@ struct Cell {
 /// Polynomials of a higher degree get no box: finding it would take too long.
 const LARGEST_DEGREE: usize = 8;
 /// How many parts of space are looked at for each side, and for the terms of highest degree.
-const TRIALS: usize = 500;
+const TRIALS: usize = 400;
 /// Sides are found to this part of the width, at first and in the end.
 const PRECISIONS: [f64; 2] = [1.0 / 8.0, 1.0 / 32.0];
 /// Bound on the rounding of a value, as a part of the sum of its terms' sizes.
@@ -199,7 +199,11 @@ impl Dense {
 
     /// Bounds of the values in a part of space: those of the terms, and those of the polynomial about its middle.
     fn range(&self, part: &Aabb) -> (f64, f64) {
-        let (own, middle) = (self.range_of_terms(part), self.range_about_middle(part));
+        let own = self.range_of_terms(part);
+        if own.0 > 0.0 || own.1 < 0.0 {
+            return own;
+        }
+        let middle = self.range_about_middle(part);
         (own.0.max(middle.0), own.1.min(middle.1))
     }
 
@@ -229,13 +233,15 @@ impl Dense {
     fn range_about_middle(&self, part: &Aabb) -> (f64, f64) {
         let (middle, half, far) = (part.center(), 0.5 * part.size(), part.min.abs().max(part.max.abs()));
         let about = self.moved(middle);
-        let (mut low, mut high, mut slack, mut place) = (0.0, 0.0, 0.0, 0);
+        let (mut low, mut high, mut slack) = (0.0, 0.0, 0.0);
+        let side = self.order + 1;
         let (mut near_x, mut far_x) = (1.0, 1.0);
         for i in 0..=self.order {
             let (mut near_y, mut far_y) = (near_x, far_x);
-            for j in 0..=self.order {
+            for j in 0..=self.order - i {
                 let (mut near_z, mut far_z) = (near_y, far_y);
-                for k in 0..=self.order {
+                for k in 0..=self.order - i - j {
+                    let place = (i * side + j) * side + k;
                     slack += (self.coefficients[place] * far_z).abs();
                     let size = about[place] * near_z;
                     if place == 0 {
@@ -245,7 +251,6 @@ impl Dense {
                     } else {
                         (low, high) = (low - size.abs(), high + size.abs());
                     }
-                    place += 1;
                     (near_z, far_z) = (near_z * half.z, far_z * far.z);
                 }
                 (near_y, far_y) = (near_y * half.y, far_y * far.y);
@@ -258,15 +263,18 @@ impl Dense {
     /// The coefficients with `to` for the origin: Horner's shift along one axis after the other.
     fn moved(&self, to: Vec3) -> Vec<f64> {
         let side = self.order + 1;
+        let strides = [side * side, side, 1];
         let mut c = self.coefficients.clone();
-        for (axis, stride) in [side * side, side, 1].into_iter().enumerate() {
-            if to[axis] == 0.0 {
-                continue;
-            }
-            for first in (0..c.len()).filter(|place| place / stride % side == 0) {
-                for lowest in 0..self.order {
-                    for n in (lowest..self.order).rev() {
-                        c[first + n * stride] += to[axis] * c[first + (n + 1) * stride];
+        for axis in 0..3 {
+            let (stride, others) = (strides[axis], [strides[(axis + 1) % 3], strides[(axis + 2) % 3]]);
+            for j in 0..side {
+                for k in 0..side - j {
+                    let first = j * others[0] + k * others[1];
+                    let top = self.order - j - k;
+                    for lowest in 0..top {
+                        for n in (lowest..top).rev() {
+                            c[first + n * stride] += to[axis] * c[first + (n + 1) * stride];
+                        }
                     }
                 }
             }
