@@ -15,7 +15,8 @@
 //! compared, so an imprecise root costs precision of second order.
 
 use super::{Crossing, Shape, rounding};
-use crate::math::polynomial::{Roots, Touching, product, roots, value};
+use crate::math::bvh::{Bvh, Quality};
+use crate::math::polynomial::{Touching, product, roots, value};
 use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
 use smallvec::SmallVec;
 
@@ -33,11 +34,16 @@ impl SweepKind {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct SphereSweep {
     pieces: Vec<Tube>,
+    /// Over the pieces, if there are many.
+    tree: Option<Bvh>,
     extent: Aabb,
 }
+
+/// From this many pieces on a tree finds those that a ray or point can meet.
+const TREE_FROM: usize = 8;
 
 /// Centers and radii of one piece for parameters 0 to 1, lowest power first.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +53,8 @@ struct Tube {
     /// A sphere around the piece.
     middle: Vec3,
     reach: f64,
+    /// Center and radius change evenly.
+    straight: bool,
 }
 
 /// A stretch of the line inside, with piece and parameter of the spheres at its ends.
@@ -63,21 +71,34 @@ impl SphereSweep {
     pub fn new(kind: SweepKind, spheres: &[(Vec3, f64)]) -> Self {
         let four: Vec<[f64; 4]> = spheres.iter().map(|(c, r)| [c.x, c.y, c.z, *r]).collect();
         let pieces: Vec<Tube> = four.windows(kind.fewest()).map(|w| Tube::new(kind, w)).collect();
-        let extent = pieces.iter().map(Tube::bounds).fold(Aabb::EMPTY, Aabb::union);
-        Self { pieces, extent }
+        let boxes: Vec<Aabb> = pieces.iter().map(Tube::bounds).collect();
+        let extent = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+        let tree = (pieces.len() >= TREE_FROM).then(|| Bvh::build(&boxes, Quality::Best));
+        Self { pieces, tree, extent }
     }
 
-    fn stretches(&self, ray: &Ray) -> Stretches {
-        let mut all = Stretches::new();
-        for (i, piece) in self.pieces.iter().enumerate() {
+    fn stretches(&self, ray: &Ray, all: &mut Stretches) {
+        let mut add = |i: usize| {
+            let piece = &self.pieces[i];
             if piece.may_meet(ray) {
-                piece.stretches(ray, i as u32, &mut all);
+                piece.stretches(ray, i as u32, all);
             }
+        };
+        match &self.tree {
+            Some(tree) => {
+                // From in front of everything: stretches that the ray starts in begin behind it.
+                let back = (self.extent.center() - ray.origin).dot(ray.dir) - self.extent.size().length();
+                let ray = Ray::new(ray.at(back), ray.dir);
+                tree.any(&ray, Range::FORWARD, |i| {
+                    add(i as usize);
+                    false
+                });
+            }
+            None => (0..self.pieces.len()).for_each(add),
         }
         if all.len() > 1 {
-            merge(&mut all);
+            merge(all);
         }
-        all
     }
 }
 
@@ -126,6 +147,7 @@ impl Tube {
             radius: c.map(|v| v[3]),
             middle: Vec3::ZERO,
             reach: 0.0,
+            straight: kind == SweepKind::Linear,
         };
         let bounds = tube.bounds();
         tube.middle = bounds.center();
@@ -165,16 +187,33 @@ impl Tube {
     }
 
     fn stretches(&self, ray: &Ray, part: u32, out: &mut Stretches) {
+        if self.straight {
+            self.stretches_of::<2, 3, 3>(ray, part, out);
+        } else {
+            self.stretches_of::<4, 7, 11>(ray, part, out);
+        }
+    }
+
+    /// With `B` coefficients of the centers, `C` of the chord and `S` of the condition for a stationary end.
+    fn stretches_of<const B: usize, const C: usize, const S: usize>(
+        &self,
+        ray: &Ray,
+        part: u32,
+        out: &mut Stretches,
+    ) {
         let shift = (self.middle - ray.origin).dot(ray.dir);
         let o = ray.at(shift);
-        let (b, chord) = self.along(o, ray.dir);
-        let conditions = stationary(&b, &chord);
-        for (from, to) in chord_intervals(&chord) {
+        let (b, chord) = self.along::<B, C>(o, ray.dir);
+        let intervals = chord_intervals(&chord);
+        if intervals.is_empty() {
+            return;
+        }
+        let conditions = stationary::<B, C, S>(&b, &chord);
+        for (from, to) in intervals {
             let crossing = |t: f64, w: f64| Crossing { t: t + shift, part, uv: Vec2::new(w, 0.0) };
             let mut enter = (f64::INFINITY, 0.0);
             let mut leave = (f64::NEG_INFINITY, 0.0);
-            let between = roots(&conditions, Range::new(from, to), Touching::Once);
-            for w in between.into_iter().chain([from, to]) {
+            let mut look = |w: f64| {
                 let (middle, half) = (value(&b, w), value(&chord, w).max(0.0).sqrt());
                 if middle - half < enter.0 {
                     enter = (middle - half, w);
@@ -182,7 +221,10 @@ impl Tube {
                 if middle + half > leave.0 {
                     leave = (middle + half, w);
                 }
-            }
+            };
+            roots(&conditions, Range::new(from, to), Touching::Once).iter().for_each(|&w| look(w));
+            look(from);
+            look(to);
             polish(&b, &chord, -1.0, (from, to), &mut enter);
             polish(&b, &chord, 1.0, (from, to), &mut leave);
             if enter.0 < leave.0 {
@@ -192,16 +234,19 @@ impl Tube {
     }
 
     /// Distance to the point nearest to the center, and half the chord squared, by the parameter.
-    fn along(&self, o: Vec3, d: Vec3) -> ([f64; 4], [f64; 7]) {
-        let mut from_origin = self.center;
-        from_origin[0] -= o;
-        let b = from_origin.map(|c| c.dot(d));
-        let across: [Vec3; 4] = std::array::from_fn(|i| from_origin[i] - b[i] * d);
-        let mut chord: [f64; 7] = product(self.radius, self.radius);
-        for axis in 0..3 {
-            let c = across.map(|v| v[axis]);
-            let square: [f64; 7] = product(c, c);
-            chord.iter_mut().zip(square).for_each(|(sum, s)| *sum -= s);
+    #[inline(always)]
+    fn along<const B: usize, const C: usize>(&self, o: Vec3, d: Vec3) -> ([f64; B], [f64; C]) {
+        let (mut b, mut chord) = ([0.0; B], [0.0; C]);
+        let mut across = [Vec3::ZERO; B];
+        for i in 0..B {
+            let center = if i == 0 { self.center[0] - o } else { self.center[i] };
+            b[i] = center.dot(d);
+            across[i] = center - b[i] * d;
+        }
+        for i in 0..B {
+            for j in 0..B {
+                chord[i + j] += self.radius[i] * self.radius[j] - across[i].dot(across[j]);
+            }
         }
         (b, chord)
     }
@@ -225,7 +270,8 @@ impl Tube {
 
 /// Moves the parameter of an end to where that is stationary: where the condition has a double root, the
 /// root is good to half the digits only, and the normal depends on it.
-fn polish(b: &[f64; 4], chord: &[f64; 7], side: f64, within: (f64, f64), end: &mut (f64, f64)) {
+#[inline(always)]
+fn polish(b: &[f64], chord: &[f64], side: f64, within: (f64, f64), end: &mut (f64, f64)) {
     for _ in 0..2 {
         let w = end.1;
         let (_, b1, b2) = derivatives(b, w);
@@ -247,30 +293,48 @@ fn polish(b: &[f64; 4], chord: &[f64; 7], side: f64, within: (f64, f64), end: &m
 
 /// Value, first and second derivative.
 fn derivatives(c: &[f64], t: f64) -> (f64, f64, f64) {
-    let (f, d, h) = c.iter().rev().fold((0.0, 0.0, 0.0), |(f, d, h), &k| (f * t + k, d * t + f, h * t + d));
+    let (mut f, mut d, mut h) = (0.0, 0.0, 0.0);
+    for i in (0..c.len()).rev() {
+        (f, d, h) = (f * t + c[i], d * t + f, h * t + d);
+    }
     (f, d, 2.0 * h)
 }
 
 /// `4 b'² D - D'²`, whose roots are where the entry or the exit is stationary.
-fn stationary(b: &[f64; 4], chord: &[f64; 7]) -> [f64; 11] {
-    let db = [b[1], 2.0 * b[2], 3.0 * b[3]];
-    let dc: [f64; 6] = std::array::from_fn(|i| (i + 1) as f64 * chord[i + 1]);
-    let db2: [f64; 5] = product(db, db);
-    let mut c: [f64; 11] = product(db2, *chord);
-    let dc2: [f64; 11] = product(dc, dc);
-    c.iter_mut().zip(dc2).for_each(|(a, b)| *a = 4.0 * *a - b);
+#[inline(always)]
+fn stationary<const B: usize, const C: usize, const S: usize>(b: &[f64; B], chord: &[f64; C]) -> [f64; S] {
+    let mut c = [0.0; S];
+    let mut slope2 = [0.0; S];
+    for i in 1..B {
+        for j in 1..B {
+            slope2[i + j - 2] += (4 * i * j) as f64 * b[i] * b[j];
+        }
+    }
+    for i in 0..2 * B - 3 {
+        for j in 0..C {
+            c[i + j] += slope2[i] * chord[j];
+        }
+    }
+    for i in 1..C {
+        for j in 1..C {
+            c[i + j - 2] -= (i * j) as f64 * chord[i] * chord[j];
+        }
+    }
     c
 }
 
 /// Where the chord is real, between 0 and 1.
-fn chord_intervals(chord: &[f64; 7]) -> SmallVec<[(f64, f64); 4]> {
-    let ends: Roots = roots(chord, Range::new(0.0, 1.0), Touching::Skip);
-    let mut stops: SmallVec<[f64; 8]> = SmallVec::new();
-    stops.push(0.0);
-    stops.extend(ends);
-    stops.push(1.0);
-    let positive = |w: &[f64]| value(chord, 0.5 * (w[0] + w[1])) > 0.0;
-    stops.windows(2).filter(|w| positive(w)).map(|w| (w[0], w[1])).collect()
+#[inline(always)]
+fn chord_intervals(chord: &[f64]) -> SmallVec<[(f64, f64); 4]> {
+    let mut intervals = SmallVec::new();
+    let mut from = 0.0;
+    for &to in roots(chord, Range::new(0.0, 1.0), Touching::Skip).iter().chain(&[1.0]) {
+        if value(chord, 0.5 * (from + to)) > 0.0 {
+            intervals.push((from, to));
+        }
+        from = to;
+    }
+    intervals
 }
 
 impl Shape for SphereSweep {
@@ -279,16 +343,23 @@ impl Shape for SphereSweep {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let ends = self.stretches(ray).into_iter().flat_map(|s| [s.enter, s.leave]);
-        out.extend(ends.filter(|c| range.contains(c.t)));
+        let mut all = Stretches::new();
+        self.stretches(ray, &mut all);
+        out.extend(all.iter().flat_map(|s| [s.enter, s.leave]).filter(|c| range.contains(c.t)));
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.stretches(ray).into_iter().flat_map(|s| [s.enter, s.leave]).find(|c| range.contains(c.t))
+        let mut all = Stretches::new();
+        self.stretches(ray, &mut all);
+        all.iter().flat_map(|s| [s.enter, s.leave]).find(|c| range.contains(c.t))
     }
 
     fn contains(&self, p: Vec3) -> bool {
-        self.extent.contains(p) && self.pieces.iter().any(|piece| piece.depth(p) <= 0.0)
+        let holds = |i: usize| self.pieces[i].depth(p) <= 0.0;
+        match &self.tree {
+            Some(tree) => tree.any_at(p, |i| holds(i as usize)),
+            None => self.extent.contains(p) && (0..self.pieces.len()).any(holds),
+        }
     }
 
     fn normal(&self, p: Vec3, crossing: &Crossing) -> Vec3 {
@@ -308,7 +379,7 @@ impl Shape for SphereSweep {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.pieces.capacity() * size_of::<Tube>()
+        self.pieces.capacity() * size_of::<Tube>() + self.tree.as_ref().map_or(0, Bvh::heap_bytes)
     }
 }
 

@@ -9,7 +9,7 @@
 //! the roots are sought through the derivatives instead, so nothing is decided here that rounding could
 //! turn.
 
-use super::{EXACT, Roots, bracketed, push_distinct, value};
+use super::{EXACT, Roots, bracketed, magnitude, push_distinct, value};
 use crate::math::EPSILON;
 
 /// Intervals are halved so often at most.
@@ -35,8 +35,7 @@ pub(super) fn isolate<const N: usize>(
 ) -> bool {
     let width = high.0 - low.0;
     let coefficients = transformed(c, low.0, width);
-    let size = c.iter().rev().fold(0.0, |sum, &k| sum * (low.0.abs() + width) + k.abs());
-    let error = (16 * N) as f64 * EPSILON * size;
+    let error = (16 * N) as f64 * EPSILON * magnitude(c, low.0.abs() + width);
     let before = out.len();
     let mut todo = [Part { coefficients, low, high, depth: 0 }; DEEPEST + 1];
     let mut left = 1;
@@ -75,7 +74,8 @@ pub(super) fn isolate<const N: usize>(
 fn changes<const N: usize>(part: &Part<N>, error: f64) -> Option<u32> {
     let mut count = 0;
     let mut negative = part.low.1 < 0.0;
-    for &b in &part.coefficients[1..N - 1] {
+    for i in 1..N - 1 {
+        let b = part.coefficients[i];
         if !(b.abs() > error) {
             return None;
         }
@@ -98,9 +98,9 @@ fn transformed<const N: usize>(c: &[f64; N], low: f64, width: f64) -> [f64; N] {
     }
     // Divided by the binomial coefficient of N - 1 over k.
     let mut factor = 1.0;
-    for (k, v) in a.iter_mut().enumerate().skip(1) {
+    for k in 1..N {
         factor *= width * (k as f64 / (N - k) as f64);
-        *v *= factor;
+        a[k] *= factor;
     }
     for i in 1..N {
         for j in (i..N).rev() {

@@ -39,19 +39,30 @@ pub enum Touching {
 /// Value at `t`.
 #[inline(always)]
 pub fn value(c: &[f64], t: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, &k| sum * t + k)
+    let mut sum = 0.0;
+    for i in (0..c.len()).rev() {
+        sum = sum * t + c[i];
+    }
+    sum
 }
 
 /// Value and first derivative at `t`.
 #[inline(always)]
 pub fn value_and_slope(c: &[f64], t: f64) -> (f64, f64) {
-    c.iter().rev().fold((0.0, 0.0), |(f, d), &k| (f * t + k, d * t + f))
+    let (mut f, mut d) = (0.0, 0.0);
+    for i in (0..c.len()).rev() {
+        (f, d) = (f * t + c[i], d * t + f);
+    }
+    (f, d)
 }
 
 /// Sum of the absolute values of the terms at `t`: what rounding errors are measured by.
 pub fn magnitude(c: &[f64], t: f64) -> f64 {
-    let t = t.abs();
-    c.iter().rev().fold(0.0, |sum, &k| sum * t + k.abs())
+    let (t, mut sum) = (t.abs(), 0.0);
+    for i in (0..c.len()).rev() {
+        sum = sum * t + c[i].abs();
+    }
+    sum
 }
 
 /// How exact the places are where a derivative changes its sign, as a part of their distance from 0: next to a
@@ -122,11 +133,12 @@ pub fn sign_changes(c: &[f64], low: (f64, f64), high: (f64, f64)) -> Roots {
 }
 
 /// `a * b`.
+#[inline(always)]
 pub fn product<const A: usize, const B: usize, const N: usize>(a: [f64; A], b: [f64; B]) -> [f64; N] {
     let mut out = [0.0; N];
-    for (i, x) in a.iter().enumerate() {
-        for (j, y) in b.iter().enumerate() {
-            out[i + j] += x * y;
+    for i in 0..A {
+        for j in 0..B {
+            out[i + j] += a[i] * b[j];
         }
     }
     out

@@ -32,7 +32,7 @@ struct Cell {
 /// Polynomials of a higher degree get no box: finding it would take too long.
 const LARGEST_DEGREE: usize = 8;
 /// How many parts of space are looked at for each side, and for the terms of highest degree.
-const TRIALS: usize = 400;
+const TRIALS: usize = 500;
 /// Sides are found to this part of the width, at first and in the end.
 const PRECISIONS: [f64; 2] = [1.0 / 8.0, 1.0 / 32.0];
 /// Bound on the rounding of a value, as a part of the sum of its terms' sizes.
