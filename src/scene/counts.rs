@@ -12,6 +12,7 @@
 
 use super::{Body, CsgOp, LightSource, Object, Scene};
 use crate::math::Aabb;
+use crate::shape::common::{self, Member};
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
@@ -102,13 +103,20 @@ fn bounds(object: &Object) -> Aabb {
         Body::Shape(shape) => shape.bounds(),
         Body::Csg { op: CsgOp::Difference, children } => children.first().map_or(Aabb::EMPTY, |c| bounds(c)),
         Body::Csg { op: CsgOp::Intersection, children: all } => {
-            children(all).into_iter().fold(Aabb::INFINITE, Aabb::intersection)
+            let own = children(all).into_iter().fold(Aabb::INFINITE, Aabb::intersection);
+            common::bounds(&all.iter().filter_map(|c| member(c)).collect::<Vec<_>>(), own)
         }
         Body::Csg { children: all, .. } => children(all).into_iter().fold(Aabb::EMPTY, Aabb::union),
     };
     let limits = object.clipped_by.iter().chain(&object.bounded_by).filter(|l| !l.flags.inverse);
     let outer = if own.is_finite() { object.transform.bounds(&own) } else { own };
     limits.fold(outer, |b, limit| b.intersection(bounds(limit)))
+}
+
+/// An object that may narrow what it is combined with.
+fn member(object: &Object) -> Option<Member<'_>> {
+    let Body::Shape(shape) = &object.body else { return None };
+    Some(Member { shape: &**shape, place: &object.transform, inverted: object.flags.inverse })
 }
 
 #[cfg(test)]
@@ -148,6 +156,10 @@ mod tests {
             ("difference{plane{x,0} sphere{0,1}}", [0, 1, 0]),
             ("difference{box{0,1} light_source{1,1}}", [1, 0, 1]),
             ("merge{sphere{0,1} light_source{1,1}}", [0, 1, 1]),
+            (
+                "intersection{quadric{<1,-1,1>,0,0,-1} plane{y,2} plane{-y,2}} quadric{<1,-1,1>,0,0,-1}",
+                [1, 1, 0],
+            ),
             ("plane{y,0 bounded_by{sphere{0,1}}}", [1, 0, 0]),
             ("plane{y,0 clipped_by{sphere{0,1}}}", [1, 0, 0]),
             ("plane{y,0 clipped_by{plane{x,0}}}", [0, 1, 0]),

@@ -3,6 +3,7 @@
 mod algebraic;
 mod bicubic_patch;
 mod blob;
+pub mod common;
 mod cone;
 #[cfg(test)]
 mod conformance;
@@ -125,6 +126,11 @@ pub trait Shape: Debug + Send + Sync {
     /// Whether the scene language takes the bounds for the shape's extent.
     fn has_extent(&self) -> bool {
         true
+    }
+
+    /// A box around what is inside of the part that lies in `region`, whose sides may be infinite.
+    fn within(&self, region: &Aabb) -> Aabb {
+        region.intersection(self.inside_bounds())
     }
 
     /// Appends every crossing inside `range`, in the order that the specification gives for exact ties

@@ -119,6 +119,25 @@ impl Quadric {
         bounds
     }
 
+    /// Along an axis with a positive square: where the value can be 0 or less if the other terms are least.
+    fn narrowed(&self, axis: usize, region: &Aabb) -> Option<(f64, f64)> {
+        let (a, b) = (self.squares[axis], 0.5 * self.linear[axis]);
+        if !(a > 0.0) {
+            return None;
+        }
+        let others = (0..3).filter(|&i| i != axis);
+        let least = others.fold(self.constant, |sum, i| {
+            sum + least_of(self.squares[i], self.linear[i], region.min[i], region.max[i])
+        });
+        let room = b * b - a * least;
+        if !room.is_finite() {
+            return None;
+        }
+        let (center, half) = (-b / a, room.max(0.0).sqrt() / a);
+        let margin = rounding(center.abs() + half);
+        Some((center - half - margin, center + half + margin))
+    }
+
     fn turned_bounds(&self) -> Aabb {
         let (s, m) = (self.squares, 0.5 * self.products);
         let form =
@@ -145,6 +164,20 @@ impl Quadric {
     }
 }
 
+/// The least value of `a x² + b x` from `low` to `high`.
+fn least_of(a: f64, b: f64, low: f64, high: f64) -> f64 {
+    let at = |x: f64| if x.is_finite() { (a * x + b) * x } else { least_far(a, b, x) };
+    let ends = at(low).min(at(high));
+    let turn = -0.5 * b / a;
+    if a > 0.0 && low < turn && turn < high { ends.min(at(turn)) } else { ends }
+}
+
+/// `a x² + b x` at an infinite x.
+fn least_far(a: f64, b: f64, x: f64) -> f64 {
+    let leading = if a == 0.0 { b * x.signum() } else { a };
+    if leading == 0.0 { 0.0 } else { leading * f64::INFINITY }
+}
+
 impl Shape for Quadric {
     fn bounds(&self) -> Aabb {
         self.surface_bounds()
@@ -153,6 +186,18 @@ impl Shape for Quadric {
     fn inside_bounds(&self) -> Aabb {
         // With a negative square the far end of that axis is inside.
         if self.squares.min_element() < 0.0 { Aabb::INFINITE } else { self.surface_bounds() }
+    }
+
+    fn within(&self, region: &Aabb) -> Aabb {
+        let mut left = region.intersection(self.inside_bounds());
+        if self.products == Vec3::ZERO {
+            for axis in 0..3 {
+                if let Some((low, high)) = self.narrowed(axis, &left) {
+                    (left.min[axis], left.max[axis]) = (left.min[axis].max(low), left.max[axis].min(high));
+                }
+            }
+        }
+        left
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
@@ -272,5 +317,27 @@ mod tests {
         q.crossings(&Ray::new(Vec3::ZERO, Vec3::new(0.6, 0.8, 0.0)), Range::FORWARD, &mut all);
         assert_eq!(all.len(), 1);
         assert!((all[0].t - 0.625).abs() < 1e-15);
+    }
+
+    proptest::proptest! {
+        /// What is inside of a part of space stays inside of what that is narrowed to.
+        #[test]
+        fn a_narrowed_region_loses_nothing(
+            c in proptest::array::uniform7(-3.0..3.0f64),
+            at in proptest::array::uniform3(-4.0..4.0f64),
+            open in 0..64u8,
+        ) {
+            let squares = Vec3::new(c[0], c[1], c[2]).map(|v| if v.abs() < 0.5 { 0.0 } else { v });
+            let q = Quadric::new(squares, Vec3::ZERO, Vec3::new(c[3], c[4], c[5]), c[6]);
+            let side = |bit: u8, v: f64| if open >> bit & 1 == 1 { v * f64::INFINITY } else { v };
+            let region = Aabb {
+                min: Vec3::new(side(0, -2.0), side(1, -2.0), side(2, -2.0)),
+                max: Vec3::new(side(3, 3.0), side(4, 3.0), side(5, 3.0)),
+            };
+            let p = Vec3::from_array(at);
+            if region.contains(p) && q.value(p) <= 0.0 {
+                proptest::prop_assert!(q.within(&region).contains(p), "{:?}", q.within(&region));
+            }
+        }
     }
 }

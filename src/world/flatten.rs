@@ -12,8 +12,9 @@ use super::probe::Reach;
 use super::{Inside, WorldLight};
 use crate::material::{Attached, Texture};
 use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, Transform, Vec3, polyhedron};
+use crate::math::{Aabb, Transform, Vec3};
 use crate::scene::{Body, CsgOp, Flags, LightSource, Object};
+use crate::shape::common::{self, Member};
 use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -298,13 +299,15 @@ impl Flattened {
         }
         let child_bounds: Vec<Aabb> = built.iter().map(|b| b.bounds).collect();
         let op = effective(op, inner.inverted);
-        let between_planes = match op {
-            Op::Intersection => self.between_planes(&built),
-            Op::Union | Op::Merge => Aabb::INFINITE,
-        };
-        let bounds = match op {
-            Op::Intersection => child_bounds.iter().fold(Aabb::INFINITE, |a, b| a.intersection(*b)),
-            Op::Union | Op::Merge => child_bounds.iter().fold(Aabb::EMPTY, |a, b| a.union(*b)),
+        let (bounds, common) = match op {
+            Op::Intersection => {
+                let all = child_bounds.iter().fold(Aabb::INFINITE, |a, b| a.intersection(*b));
+                let common = self.common(&built, all);
+                (all.intersection(common), common)
+            }
+            Op::Union | Op::Merge => {
+                (child_bounds.iter().fold(Aabb::EMPTY, |a, b| a.union(*b)), Aabb::INFINITE)
+            }
         };
         let tree = (built.len() >= TREE_FROM
             && op != Op::Intersection
@@ -312,10 +315,9 @@ impl Flattened {
         .then(|| Bvh::build(&child_bounds, Quality::Best));
         let children: Vec<Child> = built.into_iter().map(Built::child).collect();
         let mut extent = Extent::combined(op, &children);
-        let bounds = bounds.intersection(between_planes);
         if !extent.outside {
-            extent.surface = extent.surface.intersection(between_planes);
-            extent.hull = extent.hull.intersection(between_planes);
+            extent.surface = extent.surface.intersection(common);
+            extent.hull = extent.hull.intersection(common);
         }
         let mut compound = Compound { op, tree, ..Compound::nothing() };
         if compound.tree.is_some() {
@@ -328,17 +330,15 @@ impl Flattened {
         Built { solid: Solid::Compound(slot), bounds, extent }
     }
 
-    /// A box around what the planes among the members of an intersection leave.
-    fn between_planes(&self, members: &[Built]) -> Aabb {
-        let plane = |built: &Built| {
+    /// A box around what the members of an intersection have in common.
+    fn common(&self, members: &[Built], bounds: Aabb) -> Aabb {
+        let member = |built: &Built| {
             let Solid::Leaf(leaf) = built.solid else { return None };
             let leaf = &self.geometry.leaves[leaf as usize];
-            let (n, d) = leaf.shape.half_space().filter(|_| !leaf.inverted)?;
-            let Some(place) = leaf.place.as_ref().map(|p| &p.transform) else { return Some((n, d)) };
-            let normal = place.normal(n).normalize();
-            Some((normal, normal.dot(place.point(d * n))))
+            let place = leaf.place.as_ref().map_or(&Transform::IDENTITY, |p| &p.transform);
+            Some(Member { shape: &*leaf.shape, place, inverted: leaf.inverted })
         };
-        polyhedron::bounds(&members.iter().filter_map(plane).collect::<Vec<_>>())
+        common::bounds(&members.iter().filter_map(member).collect::<Vec<_>>(), bounds)
     }
 
     /// What the children (or the shape) of `object` stand in.
