@@ -212,8 +212,16 @@ impl Program {
     fn call<N: Number>(&self, site: CallSite, file: &mut [N]) {
         let list = &self.lists[site.list as usize..];
         let (given, wanted) = list.split_at(usize::from(site.arguments));
-        let given: SmallVec<[N; 16]> = given.iter().map(|&g| file[usize::from(g)]).collect();
-        let values = self.callees[usize::from(site.callee)].value(&given);
+        let mut few = [N::from(0.0); 12];
+        let many: SmallVec<[N; 16]>;
+        let given = if given.len() <= few.len() {
+            few.iter_mut().zip(given).for_each(|(to, &g)| *to = file[usize::from(g)]);
+            &few[..given.len()]
+        } else {
+            many = given.iter().map(|&g| file[usize::from(g)]).collect();
+            &many[..]
+        };
+        let values = self.callees[usize::from(site.callee)].value(given);
         for (&to, value) in wanted[..usize::from(site.results)].iter().zip(values) {
             if to != UNUSED {
                 file[usize::from(to)] = value;

@@ -43,14 +43,17 @@ impl Tracer<'_> {
         }
         let world = self.world;
         self.collects = self.photons.is_some() && world.photon_rules(site.hit).collect;
-        let mut sum = Rgb::ZERO;
-        if !site.hit.ignores_global_lights {
-            for (i, light) in world.lights.iter().enumerate() {
-                sum += self.by_light(site, look, light, site.lit.map(|base| base + i));
-            }
-        }
+        let global = if site.hit.ignores_global_lights { &[][..] } else { &world.lights[..] };
         let (first, end) = site.hit.group_lights;
-        for light in &world.group_lights[first as usize..end as usize] {
+        let group = &world.group_lights[first as usize..end as usize];
+        if self.may_choose(site, look, global.len() + group.len()) {
+            return self.chosen(site, look, global.iter().chain(group));
+        }
+        let mut sum = Rgb::ZERO;
+        for (i, light) in global.iter().enumerate() {
+            sum += self.by_light(site, look, light, site.lit.map(|base| base + i));
+        }
+        for light in group {
             sum += self.by_light(site, look, light, None);
         }
         sum

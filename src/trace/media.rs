@@ -242,10 +242,14 @@ impl<'w> Tracer<'w> {
     }
 
     fn density_at(&self, medium: &Medium, p: Vec3) -> Rgb {
-        let at = |d: &std::sync::Arc<crate::material::Pigment>| {
-            d.color(p, &self.context).map_or(Rgb::ZERO, |c| c.rgb)
-        };
-        medium.media.densities.iter().map(at).product()
+        let mut product = Rgb::ONE;
+        for density in &medium.media.densities {
+            product *= density.color(p, &self.context).map_or(Rgb::ZERO, |c| c.rgb);
+            if product == Rgb::ZERO {
+                break;
+            }
+        }
+        product
     }
 
     /// Light that arrives at `p` and is scattered to the eye, for scattering 1.

@@ -6,6 +6,7 @@ mod fog;
 mod highlight;
 mod iridescence;
 mod layers;
+mod light_choice;
 mod media;
 mod media_sampling;
 mod path;

@@ -9,7 +9,7 @@ use super::subsurface::Subsurface;
 use super::{Counters, NotNumber, Pixel, Settings, rainbow};
 use crate::camera::Lens;
 use crate::color::Rgb;
-use crate::math::{Range, Ray};
+use crate::math::{Range, Ray, Vec3};
 use crate::pattern::Context;
 use crate::world::{Blocker, Hit, InteriorId, RayClass, World};
 use std::sync::Arc;
@@ -51,6 +51,8 @@ pub struct Tracer<'w> {
     lens: Option<Arc<Lens>>,
     /// What the camera stands in, once found; for cameras with one viewpoint.
     camera_inside: Option<Interiors>,
+    /// The place where the last photon started, and what it stands in.
+    photon_inside: Option<(Vec3, Interiors)>,
     /// Every medium, those of one interior side by side; last those of the atmosphere.
     pub(super) media: Vec<Medium<'w>>,
     /// Media of each interior, as ranges of `media`.
@@ -117,6 +119,7 @@ impl<'w> Tracer<'w> {
             collects: false,
             lens: None,
             camera_inside: None,
+            photon_inside: None,
             media: Vec::new(),
             media_of: Vec::new(),
             air: (0, 0),
@@ -255,6 +258,21 @@ impl<'w> Tracer<'w> {
             return self.world.interiors_at(ray.origin);
         }
         copied(self.camera_inside.get_or_insert_with(|| self.world.interiors_at(ray.origin)))
+    }
+
+    /// What a photon starts in: mostly the same as the one before.
+    pub(super) fn photon_interiors(&mut self, start: Vec3) -> Interiors {
+        if !self.needs.interiors {
+            return Interiors::new();
+        }
+        match &self.photon_inside {
+            Some((place, inside)) if *place == start => copied(inside),
+            _ => {
+                let inside = self.world.interiors_at(start);
+                self.photon_inside = Some((start, copied(&inside)));
+                inside
+            }
+        }
     }
 
     /// Where a colour first came out as no number, if one did.

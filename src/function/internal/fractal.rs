@@ -103,14 +103,15 @@ fn ridged_mf<N: Number>(a: &Arguments<N>) -> N {
     let mut p = [a.x, a.y, a.z];
     let mut ridge = signal(p);
     let mut sum = ridge;
-    let mut frequency = N::from(1.0);
+    let falloff = lacunarity.pow(-h);
+    let mut height = falloff;
     let mut octave = 1.0;
     while octave < octaves.min(LARGEST_OCTAVES) {
         p = p.map(|c| c * lacunarity);
-        frequency = frequency * lacunarity;
         let weight = (ridge * gain).max(N::from(0.0)).min(N::from(1.0));
         ridge = signal(p) * weight;
-        sum = sum + ridge * frequency.pow(-h);
+        sum = sum + ridge * height;
+        height = height * falloff;
         octave += 1.0;
     }
     sum

@@ -2,7 +2,7 @@
 //! stored where it lands.
 
 use super::super::layers::{self, Placed};
-use super::super::path::{Interiors, Path};
+use super::super::path::{Interiors, Path, copied};
 use super::super::refract::{self, Passage};
 use super::super::shade::Site;
 use super::super::tracer::Tracer;
@@ -61,8 +61,7 @@ impl Tracer<'_> {
                 None => return,
             }
         }
-        let inside =
-            if self.needs.interiors { self.world.interiors_at(ray.origin) } else { Interiors::new() };
+        let inside = self.photon_interiors(ray.origin);
         let path = Path { level: 0, weight: 1.0, class: RayClass::Photon, wavelength: None, inside };
         let color = source.light.color * shot.strength;
         let flight = Flight { color, weight: 1.0, travelled, seeking: true, path };
@@ -192,7 +191,7 @@ impl Tracer<'_> {
     ) -> bool {
         match refract::bent(site.ray.dir, normal, ratio) {
             Some(direction) => {
-                let path = Path { inside: passage.inside.clone(), ..through.path.clone() };
+                let path = Path { inside: copied(&passage.inside), ..through.path.clone() };
                 self.fly(&site.departure.ray(direction), Flight { path, ..through }, run);
                 false
             }

@@ -14,15 +14,24 @@ use crate::math::Vec3;
 #[derive(Clone, Debug, Default)]
 pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
-    /// What searches read of them.
-    places: Vec<Place>,
+    /// Coordinates once more, by axis: a search reads many and keeps few.
+    places: [Vec<f32>; 3],
+    /// Whether a photon stands on the wrong side of the plane of the one before it.
+    astray: Vec<bool>,
+    /// Ranges of the tree, each before those below it, the lower one first.
+    parts: Vec<Part>,
 }
 
-/// Sixteen bytes of a photon: a search reads many and keeps few.
+/// A range of the tree and the box around its photons.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(16))]
-struct Place {
-    point: glam::Vec3,
+struct Part {
+    low: glam::Vec3,
+    high: glam::Vec3,
+    first: u32,
+    count: u32,
+    /// The part of the upper half; 0 where photons are looked at one by one.
+    upper: u32,
+    /// What the middle photon's plane lies across.
     axis: u32,
 }
 
@@ -35,17 +44,11 @@ pub struct Nearby {
     pub radius: f64,
 }
 
-/// A range of the tree that is still to be searched.
-#[derive(Clone, Copy)]
-struct Part {
-    first: u32,
-    count: u32,
-    /// Distance of the plane that parts it from the point, squared.
-    beyond: f64,
-}
+/// Ranges up to this many photons are looked at one by one.
+const LEAF: usize = 12;
 
-/// Parts that wait in a search of the largest tree.
-type Parts = smallvec::SmallVec<[Part; 32]>;
+/// More halvings than any tree has.
+const DEEPEST: usize = 32;
 
 /// How far photons are from a point.
 struct Metric {
@@ -63,6 +66,18 @@ impl Metric {
     }
 }
 
+/// A search on its way.
+struct Search<'a> {
+    map: &'a PhotonMap,
+    metric: Metric,
+    /// Squared distance of the farthest photon that still counts.
+    limit: f64,
+    most: usize,
+    /// There were more than `most`.
+    full: bool,
+    found: &'a mut Vec<(f64, u32)>,
+}
+
 impl PhotonMap {
     /// Sorts photons, in order of storage, into a tree.
     pub fn new(mut photons: Vec<PackedPhoton>) -> Self {
@@ -72,8 +87,11 @@ impl PhotonMap {
 
     /// Photons as a file kept them, in the order of the tree already.
     pub fn from_sorted(photons: Vec<PackedPhoton>) -> Self {
-        let place = |p: &PackedPhoton| Place { point: p.place.into(), axis: u32::from(p.axis) };
-        Self { places: photons.iter().map(place).collect(), photons }
+        let places = [0, 1, 2].map(|axis| photons.iter().map(|p| p.place[axis]).collect());
+        let (mut parts, mut astray) = (Vec::new(), vec![false; photons.len()]);
+        part(&photons, 0, &mut parts);
+        find_astray(&photons, &mut astray);
+        Self { photons, places, astray, parts }
     }
 
     pub fn photons(&self) -> &[PackedPhoton] {
@@ -88,67 +106,187 @@ impl PhotonMap {
     pub fn gather(&self, point: Vec3, radius: f64, most: usize, normal: Option<Vec3>, found: &mut Nearby) {
         found.members.clear();
         found.radius = radius;
-        if most == 0 {
+        if most == 0 || self.photons.is_empty() {
             return;
         }
         let metric = Metric { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) };
-        let limit = self.search(&metric, radius * radius, most, &mut found.members);
-        if let Some(limit) = limit {
-            found.radius = limit.sqrt();
+        let limit = radius * radius;
+        let mut search = Search { map: self, metric, limit, most, full: false, found: &mut found.members };
+        search.run();
+        if search.full {
+            found.radius = search.limit.sqrt();
         }
     }
 
-    /// Photons nearer than `limit` (squared), the near side of each plane first. If there are more than
-    /// `most`, how far the farthest of those that are kept is.
-    fn search(&self, m: &Metric, mut limit: f64, most: usize, found: &mut Vec<(f64, u32)>) -> Option<f64> {
-        let mut full = false;
-        let mut parts = Parts::new();
-        parts.push(Part { first: 0, count: self.photons.len() as u32, beyond: 0.0 });
-        while let Some(part) = parts.pop() {
-            if part.count == 0 || part.beyond >= limit {
-                continue;
-            }
-            let (away, beyond, middle) = self.split(m, part, limit, &mut parts);
-            if beyond > limit {
-                continue;
-            }
-            let square = m.square(away);
-            if square >= limit {
-                continue;
-            }
-            if found.len() < most {
-                found.push((square, middle));
-                continue;
-            }
-            if !full {
-                (0..most / 2).rev().for_each(|i| sift_down(found, i));
-                full = true;
-            }
-            found[0] = (square, middle);
-            sift_down(found, 0);
-            limit = found[0].0;
-        }
-        full.then_some(limit)
-    }
-
-    /// Takes a part asunder: its middle photon, and the sides of its plane, the near one to be taken first.
+    /// Where photon `i` lies, seen from `p`.
     #[inline]
-    fn split(&self, m: &Metric, part: Part, limit: f64, parts: &mut Parts) -> (Vec3, f64, u32) {
-        let half = (part.count - 1) / 2;
-        let middle = part.first + half;
-        let place = &self.places[middle as usize];
-        let away = place.point.as_dvec3() - m.point;
-        let along = away[place.axis as usize];
-        let beyond = along * along;
-        let low = Part { first: part.first, count: half, beyond: 0.0 };
-        let high = Part { first: middle + 1, count: part.count - 1 - half, beyond: 0.0 };
-        let (near, far) = if along > 0.0 { (low, high) } else { (high, low) };
-        if beyond < limit {
-            parts.push(Part { beyond, ..far });
-        }
-        parts.push(near);
-        (away, beyond, middle)
+    fn away(&self, i: usize, p: Vec3) -> Vec3 {
+        let [x, y, z] = &self.places;
+        Vec3::new(f64::from(x[i]), f64::from(y[i]), f64::from(z[i])) - p
     }
+}
+
+impl Part {
+    /// Squared distance of the box from `p`.
+    #[inline]
+    fn distance(&self, p: Vec3) -> f64 {
+        let outside = (self.low.as_dvec3() - p).max(p - self.high.as_dvec3()).max(Vec3::ZERO);
+        outside.length_squared()
+    }
+}
+
+impl Search<'_> {
+    /// The middle photon of each part, then the side of its plane where the point lies, then the other.
+    fn run(&mut self) {
+        let map = self.map;
+        let mut waiting = [0u32; DEEPEST];
+        let (mut top, mut at) = (0, 0u32);
+        loop {
+            let part = &map.parts[at as usize];
+            if part.distance(self.metric.point) < self.limit {
+                if part.upper != 0 {
+                    let middle = part.first + (part.count - 1) / 2;
+                    let along = self.middle(middle, part.axis as usize);
+                    let (near, far) = if along > 0.0 { (at + 1, part.upper) } else { (part.upper, at + 1) };
+                    if along * along < self.limit {
+                        waiting[top] = far;
+                        top += 1;
+                    }
+                    at = near;
+                    continue;
+                }
+                self.scan(part);
+            }
+            if top == 0 {
+                return;
+            }
+            top -= 1;
+            at = waiting[top];
+        }
+    }
+
+    /// Looks at a middle photon; how far its plane is above the point.
+    #[inline]
+    fn middle(&mut self, place: u32, axis: usize) -> f64 {
+        let away = self.map.away(place as usize, self.metric.point);
+        let along = away[axis];
+        let square = self.metric.square(away);
+        if square < self.limit && along * along <= self.limit {
+            self.take(square, place);
+        }
+        along
+    }
+
+    /// Looks at all photons of a small part. Their order counts only while there is room.
+    fn scan(&mut self, part: &Part) {
+        let (first, count) = (part.first as usize, part.count as usize);
+        let mut squares = [0.0; LEAF];
+        for (i, square) in squares[..count].iter_mut().enumerate() {
+            *square = self.metric.square(self.map.away(first + i, self.metric.point));
+        }
+        let squares = &squares[..count];
+        if !self.full {
+            let near = squares.iter().filter(|&&s| s < self.limit).count();
+            if self.found.len() + near > self.most {
+                return self.walk(part.first, part.count);
+            }
+        }
+        for (i, &square) in squares.iter().enumerate() {
+            if square < self.limit && !self.is_missed(first + i) {
+                self.take(square, (first + i) as u32);
+            }
+        }
+    }
+
+    /// The photons of a small part in the order of the tree.
+    fn walk(&mut self, first: u32, count: u32) {
+        if count == 0 {
+            return;
+        }
+        let half = (count - 1) / 2;
+        let middle = first + half;
+        let along = self.middle(middle, split_axis(&self.map.photons[middle as usize]));
+        let (low, high) = ((first, half), (middle + 1, count - 1 - half));
+        let (near, far) = if along > 0.0 { (low, high) } else { (high, low) };
+        self.walk(near.0, near.1);
+        if along * along < self.limit {
+            self.walk(far.0, far.1);
+        }
+    }
+
+    /// Whether the photon stands on the wrong side of the one before it, and the search passes it by.
+    #[inline]
+    fn is_missed(&self, place: usize) -> bool {
+        if !self.map.astray[place] {
+            return false;
+        }
+        let axis = split_axis(&self.map.photons[place - 1]);
+        let along = f64::from(self.map.places[axis][place - 1]) - self.metric.point[axis];
+        along > 0.0 && along * along >= self.limit
+    }
+
+    /// Keeps a photon nearer than the limit. From the one after the last that there is room for, each takes
+    /// the place of the farthest.
+    fn take(&mut self, square: f64, place: u32) {
+        let found = &mut *self.found;
+        if found.len() < self.most {
+            return found.push((square, place));
+        }
+        if !self.full {
+            (0..self.most / 2).rev().for_each(|i| sift_down(found, i));
+            self.full = true;
+        }
+        found[0] = (square, place);
+        sift_down(found, 0);
+        self.limit = found[0].0;
+    }
+}
+
+/// Appends the parts of a range of the tree that begins at `first`.
+fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
+    let empty = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
+    let around = |(low, high): (glam::Vec3, glam::Vec3), p: &PackedPhoton| {
+        let p = glam::Vec3::from(p.place);
+        (low.min(p), high.max(p))
+    };
+    let at = parts.len();
+    let (low, high) = empty;
+    parts.push(Part { low, high, first: first as u32, count: photons.len() as u32, upper: 0, axis: 0 });
+    if photons.len() <= LEAF {
+        (parts[at].low, parts[at].high) = photons.iter().fold(empty, around);
+        return;
+    }
+    let middle = (photons.len() - 1) / 2;
+    parts[at].axis = split_axis(&photons[middle]) as u32;
+    part(&photons[..middle], first, parts);
+    let upper = parts.len();
+    part(&photons[middle + 1..], first + middle + 1, parts);
+    let own = around(empty, &photons[middle]);
+    let (a, b) = (parts[at + 1], parts[upper]);
+    parts[at].low = own.0.min(a.low).min(b.low);
+    parts[at].high = own.1.max(a.high).max(b.high);
+    parts[at].upper = upper as u32;
+}
+
+/// Marks the second photon of each range of two that is the wrong way round.
+fn find_astray(photons: &[PackedPhoton], astray: &mut [bool]) {
+    match photons {
+        [] | [_] => {}
+        [a, b] => {
+            let axis = split_axis(a);
+            astray[1] = b.place[axis] < a.place[axis];
+        }
+        _ => {
+            let middle = (photons.len() - 1) / 2;
+            let (low, high) = astray.split_at_mut(middle);
+            find_astray(&photons[..middle], low);
+            find_astray(&photons[middle + 1..], &mut high[1..]);
+        }
+    }
+}
+
+fn split_axis(photon: &PackedPhoton) -> usize {
+    usize::from(photon.axis.min(2))
 }
 
 /// Restores the heap, the farthest first, below `i`.
