@@ -276,3 +276,30 @@ fn deviations() -> Vec<String> {
     let ours = all.lines().filter(|l| l.starts_with("3-oracle.csv,"));
     ours.filter_map(|l| l.rsplit_once(',').map(|(row, _)| row.to_owned())).collect()
 }
+
+/// The film of the top layer colours light that is reflected inside of glass as well, whatever the layer
+/// reflects itself. Values of the reference, first pixel of 4x2.
+#[test]
+fn films_act_on_total_reflection() {
+    const FILM: &str = "irid { 0.65 thickness 0.8 turbulence 0.1 }";
+    let layer =
+        |film: &str| format!("texture {{ pigment {{ rgbf 1 }} finish {{ ambient 0 diffuse 0 {film} }} }}");
+    let colored = [0.400656, 0.804440, 0.822003];
+    let cases = [
+        (layer(""), [0.5; 3]),
+        (layer(FILM), colored),
+        (layer("") + &layer(FILM), colored),
+        (layer(FILM) + &layer(""), [0.5; 3]),
+    ];
+    for (textures, expected) in cases {
+        let scene = format!(
+            "#version 3.7; global_settings {{ assumed_gamma 1 }} background {{ rgb 0.5 }} \
+             camera {{ location <0, -1, 0> look_at <0, 0, 4> angle 10 }} \
+             plane {{ y, 0 hollow {textures} interior {{ ior 1.5 }} }}"
+        );
+        let world = World::prepare(interpret_str(&scene).scene.unwrap());
+        let settings = Settings { width: 4, height: 2, ..Settings::default() };
+        let seen = Tracer::new(&world, &settings).pixel(0.5, 0.5).rgb.to_array();
+        assert!(seen.iter().zip(expected).all(|(a, b)| (a - b).abs() < 2e-5), "{textures}: {seen:?}");
+    }
+}

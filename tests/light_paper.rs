@@ -150,3 +150,26 @@ fn fading_by_the_square_of_the_distance() {
         assert!((found / expected - 1.0).abs() < 1e-6, "{distance} {fade}: {found}, not {expected}");
     }
 }
+
+/// Of many lights a few are tested where rays are gathered; the light of a room stays the same in the mean.
+#[test]
+fn a_few_of_many_lights_do() {
+    let scene = |lights: &str| {
+        format!(
+            "global_settings {{ assumed_gamma 1 radiosity {{ recursion_limit 1 count 400 error_bound 0.3 \
+             pretrace_end 0.02 }} }} \
+             camera {{ location <0, 0, -1.9> look_at 0 angle 100 }} {lights} \
+             box {{ -2, 2 inverse pigment {{ rgb 1 }} finish {{ diffuse 0.5 }} }} \
+             sphere {{ <0, 0.9, 0.5>, 0.6 pigment {{ rgb 1 }} finish {{ diffuse 0.5 }} }}"
+        )
+    };
+    let lamp = |x: f64, share: f64| {
+        format!("light_source {{ <{x}, 1.9, 0.3>, {share} fade_distance 2 fade_power 2 }}")
+    };
+    let places: Vec<f64> = (0..8).map(|i| -1.4 + 0.4 * f64::from(i)).collect();
+    let few: Vec<String> = places.iter().map(|&x| lamp(x, 0.1)).collect();
+    let chosen = mean(&picture(&scene(&few.concat()), (24, 18), false));
+    // The sum over the lights, each alone: too few to be chosen among.
+    let alone: f64 = places.iter().map(|&x| mean(&picture(&scene(&lamp(x, 0.1)), (24, 18), false))).sum();
+    assert!((chosen / alone - 1.0).abs() < 0.01, "{chosen} {alone}");
+}

@@ -19,6 +19,9 @@ const SPARSE_FROM: usize = 16;
 /// One lamp of so many is tested where corners agree.
 const SPARSE_SHARE: u32 = 12;
 
+/// Lights of fewer lamps look into uneven media for each.
+const SHARE_FROM: usize = 9;
+
 /// Marks a lamp that has not been tested.
 const UNTESTED: f32 = f32::NAN;
 
@@ -88,11 +91,24 @@ impl Tracer<'_> {
         if let Some(few) = few.filter(|&n| (n as usize) < lamps) {
             return self.few_lamps(&exposure, few.max(1));
         }
+        let shares = self.needs.clouds && lamps >= SHARE_FROM && !self.settings.overrides.reference;
+        if shares {
+            let first = self.random.draw();
+            self.shared_dimming.begin(first);
+        }
+        let color = self.all_lamps(&exposure, lamps);
+        self.shared_dimming.end();
+        color
+    }
+
+    /// The mean over all lamps, or over a few where that does.
+    fn all_lamps(&mut self, exposure: &Exposure, lamps: usize) -> Rgb {
+        let area = exposure.area;
         let whole = Part { u: (0, area.size1 - 1), v: (0, area.size2 - 1) };
         if self.settings.sparse_lamps && lamps >= SPARSE_FROM && whole.takes_all(area.adaptive) {
-            return self.sparsely(&exposure, whole);
+            return self.sparsely(exposure, whole);
         }
-        self.part(&exposure, whole, 0)
+        self.part(exposure, whole, 0)
     }
 
     /// The same in the mean over many samples. The edge of whatever is large passes over a corner before it
@@ -127,6 +143,7 @@ impl Tracer<'_> {
         let offset = e.area.offset(e.axes, u, v);
         let (direction, distance) = e.source.light.towards(e.departure.point, offset);
         let ray = e.departure.ray(direction);
+        self.shared_dimming.next_lamp();
         let color = self.transmitted(&ray, distance, e.inside, e.source, e.color);
         self.lamps[place] = color;
         color

@@ -40,6 +40,10 @@ impl<'w> Medium<'w> {
         }
     }
 
+    pub fn is_uniform(&self) -> bool {
+        self.uniform.is_some()
+    }
+
     fn extinction(&self) -> Rgb {
         self.media.absorption + self.media.extinction * self.media.scattering
     }
@@ -160,10 +164,15 @@ impl<'w> Tracer<'w> {
         if let Some(extinction) = media.iter().map(uniform).sum::<Option<Rgb>>() {
             return exp(-extinction * length as f32);
         }
+        if let Some(left) = self.shared_dimming.recall(&media) {
+            return left;
+        }
         let (beams, share) = (SmallVec::new(), Cell::new(f32::INFINITY));
         let stretch = Stretch { ray, length, media, path: None, beams, share };
         let plan = self.plan_of(&stretch);
-        exp(-sampling::sampled(self, &stretch, &plan).1)
+        let left = exp(-sampling::sampled(self, &stretch, &plan).1);
+        self.shared_dimming.keep(stretch.media, left);
+        left
     }
 
     /// Settings of the medium with most intervals.

@@ -18,6 +18,7 @@ mod reflect;
 mod refract;
 mod shade;
 mod shadow;
+mod shared_dimming;
 mod sky;
 mod spectrum;
 mod subsurface;

@@ -56,12 +56,12 @@ pub(super) struct Site<'a> {
 /// What the layers leave to be traced.
 struct Plan<'w> {
     rgb: Rgb,
-    through: SmallVec<[Through; 1]>,
+    through: SmallVec<[Through<'w>; 1]>,
     bounces: SmallVec<[Bounce<'w>; 2]>,
 }
 
 /// Light passing through one stack of layers.
-struct Through {
+struct Through<'w> {
     /// Share of the stack in the hit's colour.
     share: f32,
     filter: Rgb,
@@ -69,6 +69,8 @@ struct Through {
     weight: f32,
     /// Normal of the top layer.
     normal: Vec3,
+    /// Of the top layer.
+    finish: Option<&'w Finish>,
     all_reflected: bool,
 }
 
@@ -178,8 +180,8 @@ impl<'w> Tracer<'w> {
             }
             let normal = self.normal(site, placed, last);
             let color = self.pigment(site, placed, last.get());
-            top = top.or(Some(normal));
             let finish: &'w Finish = &placed.layer.finish;
+            top = top.or(Some((normal, finish)));
             refraction = finish.refraction;
             if self.settings.quality <= 1 {
                 plan.rgb += share * color.unwrap_or_default().rgb;
@@ -211,7 +213,8 @@ impl<'w> Tracer<'w> {
                 filter: refraction * if found { filter } else { Rgb::ONE },
                 clear: refraction * clear,
                 weight: site.path.weight * filter.abs().max_element(),
-                normal: top.unwrap_or(site.facing),
+                normal: top.map_or(site.facing, |(normal, _)| normal),
+                finish: top.map(|(_, finish)| finish),
                 all_reflected: false,
             });
         }
@@ -343,16 +346,21 @@ impl<'w> Tracer<'w> {
         let child = Path { weight: bounce.weight, class: mirrored_class(path.class), ..path.clone() };
         let mut rgb = self.trace(site.departure.ray(direction), child).rgb;
         let finish = bounce.finish;
-        if finish.irid != 0.0 {
-            let film = iridescence::film(finish, site.hit.point, self.context.noise);
-            let cosines = bounce.normal.dot(direction).abs() + bounce.normal.dot(ray.dir).abs();
-            let wavelength = self.world.scene.globals.irid_wavelength;
-            rgb *= iridescence::factor(finish.irid, film, cosines, wavelength);
-        }
+        rgb *= self.film_factor(site, finish, bounce.normal, direction);
         if finish.reflection.power != 1.0 {
             rgb = rgb.max(Rgb::ZERO).powf(finish.reflection.power);
         }
         bounce.k * rgb
+    }
+
+    /// What a thin film does to light reflected from `direction`.
+    fn film_factor(&self, site: &Site, finish: &Finish, normal: Vec3, direction: Vec3) -> Rgb {
+        if finish.irid == 0.0 {
+            return Rgb::ONE;
+        }
+        let film = iridescence::film(finish, site.hit.point, self.context.noise);
+        let cosines = normal.dot(direction).abs() + normal.dot(site.ray.dir).abs();
+        iridescence::factor(finish.irid, film, cosines, self.world.scene.globals.irid_wavelength)
     }
 
     /// Light from behind a bending surface through one stack, and the filter on it. Where all is reflected
@@ -405,7 +413,11 @@ impl<'w> Tracer<'w> {
                 self.counters.reflected_rays += 1;
                 let direction = reflect::mirrored(site.ray.dir, stack.normal, site.facing);
                 let child = Path { class: mirrored_class(child.class), ..child };
-                (self.trace(site.departure.ray(direction), child), true)
+                let mut seen = self.trace(site.departure.ray(direction), child);
+                if let Some(finish) = stack.finish {
+                    seen.rgb *= self.film_factor(site, finish, stack.normal, direction);
+                }
+                (seen, true)
             }
         }
     }

@@ -4,6 +4,7 @@ use super::photon::{Nearby, Photons};
 use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::{Onward, Shaded};
+use super::shared_dimming::SharedDimming;
 use super::sky::{self, Leaving};
 use super::subsurface::Subsurface;
 use super::{Counters, NotNumber, Pixel, Settings, rainbow};
@@ -64,6 +65,8 @@ pub struct Tracer<'w> {
     pub(super) blockers: Vec<Blocker>,
     /// Lamps of the area light being sampled.
     pub(super) lamps: Vec<Rgb>,
+    /// What media leave of their light.
+    pub(super) shared_dimming: SharedDimming,
 }
 
 /// Which steps the scene needs at all.
@@ -75,6 +78,8 @@ pub(super) struct Needs {
     pub atmosphere: bool,
     /// Some interior has media.
     pub media: bool,
+    /// Some medium has a density that is not the same everywhere.
+    pub clouds: bool,
     pub caustics: bool,
 }
 
@@ -86,6 +91,7 @@ impl Needs {
             atmosphere: quality >= 9
                 && !(scene.fogs.is_empty() && scene.rainbows.is_empty() && scene.media.is_empty()),
             media: false,
+            clouds: false,
             caustics: false,
         };
         for (_, i) in world.interiors() {
@@ -126,10 +132,12 @@ impl<'w> Tracer<'w> {
             lit: Vec::new(),
             blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
             lamps: Vec::new(),
+            shared_dimming: SharedDimming::default(),
         };
         tracer.lens = Lens::new(&world.scene.camera, &tracer.context).map(Arc::new);
         if tracer.needs.media || tracer.needs.atmosphere {
             tracer.list_media();
+            tracer.needs.clouds = tracer.media.iter().any(|m| !m.is_uniform());
         }
         tracer.radiosity =
             Lighting::unknown(world, settings).map(|l| Radiosity::new(world, settings, l, false));

@@ -16,7 +16,7 @@ pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
     /// Coordinates once more, by axis: a search reads many and keeps few.
     places: [Vec<f32>; 3],
-    /// Whether a photon stands on the wrong side of the plane of the one before it.
+    /// Whether a photon stands on the wrong side of a plane in its part.
     astray: Vec<bool>,
     /// Ranges of the tree, each before those below it, the lower one first.
     parts: Vec<Part>,
@@ -90,7 +90,10 @@ impl PhotonMap {
         let places = [0, 1, 2].map(|axis| photons.iter().map(|p| p.place[axis]).collect());
         let (mut parts, mut astray) = (Vec::new(), vec![false; photons.len()]);
         part(&photons, 0, &mut parts);
-        find_astray(&photons, &mut astray);
+        for leaf in parts.iter().filter(|p| p.upper == 0) {
+            let range = leaf.first as usize..(leaf.first + leaf.count) as usize;
+            find_astray(&photons[range.clone()], &mut astray[range]);
+        }
         Self { photons, places, astray, parts }
     }
 
@@ -139,7 +142,7 @@ impl Search<'_> {
     /// The middle photon of each part, then the side of its plane where the point lies, then the other.
     fn run(&mut self) {
         let map = self.map;
-        let mut waiting = [0u32; DEEPEST];
+        let mut waiting = [(0u32, 0.0); DEEPEST];
         let (mut top, mut at) = (0, 0u32);
         loop {
             let part = &map.parts[at as usize];
@@ -149,7 +152,7 @@ impl Search<'_> {
                     let along = self.middle(middle, part.axis as usize);
                     let (near, far) = if along > 0.0 { (at + 1, part.upper) } else { (part.upper, at + 1) };
                     if along * along < self.limit {
-                        waiting[top] = far;
+                        waiting[top] = (far, along * along);
                         top += 1;
                     }
                     at = near;
@@ -157,11 +160,16 @@ impl Search<'_> {
                 }
                 self.scan(part);
             }
-            if top == 0 {
-                return;
+            loop {
+                if top == 0 {
+                    return;
+                }
+                top -= 1;
+                at = waiting[top].0;
+                if waiting[top].1 < self.limit {
+                    break;
+                }
             }
-            top -= 1;
-            at = waiting[top];
         }
     }
 
@@ -177,22 +185,21 @@ impl Search<'_> {
         along
     }
 
-    /// Looks at all photons of a small part. Their order counts only while there is room.
+    /// Looks at all photons of a small part. Their order counts only while there is room, and for those that
+    /// the search may miss.
     fn scan(&mut self, part: &Part) {
         let (first, count) = (part.first as usize, part.count as usize);
         let mut squares = [0.0; LEAF];
         for (i, square) in squares[..count].iter_mut().enumerate() {
             *square = self.metric.square(self.map.away(first + i, self.metric.point));
         }
-        let squares = &squares[..count];
-        if !self.full {
-            let near = squares.iter().filter(|&&s| s < self.limit).count();
-            if self.found.len() + near > self.most {
-                return self.walk(part.first, part.count);
-            }
+        let near = || squares[..count].iter().enumerate().filter(|(_, s)| **s < self.limit);
+        let overflows = !self.full && self.found.len() + near().count() > self.most;
+        if overflows || near().any(|(i, _)| self.map.astray[first + i]) {
+            return self.walk(part.first, part.count);
         }
-        for (i, &square) in squares.iter().enumerate() {
-            if square < self.limit && !self.is_missed(first + i) {
+        for (i, &square) in squares[..count].iter().enumerate() {
+            if square < self.limit {
                 self.take(square, (first + i) as u32);
             }
         }
@@ -212,17 +219,6 @@ impl Search<'_> {
         if along * along < self.limit {
             self.walk(far.0, far.1);
         }
-    }
-
-    /// Whether the photon stands on the wrong side of the one before it, and the search passes it by.
-    #[inline]
-    fn is_missed(&self, place: usize) -> bool {
-        if !self.map.astray[place] {
-            return false;
-        }
-        let axis = split_axis(&self.map.photons[place - 1]);
-        let along = f64::from(self.map.places[axis][place - 1]) - self.metric.point[axis];
-        along > 0.0 && along * along >= self.limit
     }
 
     /// Keeps a photon nearer than the limit. From the one after the last that there is room for, each takes
@@ -268,21 +264,20 @@ fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
     parts[at].upper = upper as u32;
 }
 
-/// Marks the second photon of each range of two that is the wrong way round.
+/// Marks photons of a small part that stand on the wrong side of a plane in it.
 fn find_astray(photons: &[PackedPhoton], astray: &mut [bool]) {
-    match photons {
-        [] | [_] => {}
-        [a, b] => {
-            let axis = split_axis(a);
-            astray[1] = b.place[axis] < a.place[axis];
-        }
-        _ => {
-            let middle = (photons.len() - 1) / 2;
-            let (low, high) = astray.split_at_mut(middle);
-            find_astray(&photons[..middle], low);
-            find_astray(&photons[middle + 1..], &mut high[1..]);
-        }
+    if photons.len() < 2 {
+        return;
     }
+    let middle = (photons.len() - 1) / 2;
+    let axis = split_axis(&photons[middle]);
+    for (i, p) in photons.iter().enumerate() {
+        let (at, plane) = (p.place[axis], photons[middle].place[axis]);
+        astray[i] |= if i < middle { at > plane } else { at < plane };
+    }
+    let (low, high) = astray.split_at_mut(middle);
+    find_astray(&photons[..middle], low);
+    find_astray(&photons[middle + 1..], &mut high[1..]);
 }
 
 fn split_axis(photon: &PackedPhoton) -> usize {
