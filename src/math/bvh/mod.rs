@@ -5,8 +5,8 @@
 //! rounded outward. Traversal keeps every box that the double precision ray could touch:
 //!
 //! * a ray from far away first moves, in double precision, to where it enters the box of everything;
-//! * the origin's rounding is bounded per axis (`|o| * 2^-22` plus what the move cost) and added to each
-//!   slab, the relative rounding of the products to the interval's ends.
+//! * the origin's rounding is bounded per axis (`6 |o| * 2^-23` plus what the move cost) and added to each
+//!   slab, the relative rounding of the products to the interval's far end.
 //!
 //! Reference: Ernst and Greiner, "Multi Bounding Volume Hierarchies", 2008; Ize, "Robust BVH Ray
 //! Traversal", 2013.
@@ -41,6 +41,8 @@ pub struct Bvh {
     stack_size: usize,
     /// A power of two: the tree's coordinates are `(p - center) * scale`.
     scale: f64,
+    /// Bound on the rounding of that for points near the tree, in its coordinates.
+    near_pad: f32,
 }
 
 /// Eight boxes with what is inside them. Unused places hold an empty box, which no ray enters.
@@ -84,7 +86,7 @@ impl Bvh {
             let inner = node.child.iter().filter(|c| **c & LEAF == 0);
             todo.extend(inner.map(|&c| (c, waiting + children.saturating_sub(1))));
         }
-        Bvh { nodes, order, bounds, center, stack_size, scale }
+        Bvh { nodes, order, bounds, center, stack_size, scale, near_pad: Bvh::near_pad(center, scale) }
     }
 
     pub fn node_count(&self) -> usize {
