@@ -26,25 +26,40 @@ impl Cuboid {
     /// Entry and exit of a line, in this order.
     #[inline]
     pub(super) fn ends(&self, ray: &Ray) -> Option<[Crossing; 2]> {
-        let x = slab(ray.origin.x, ray.dir.x, self.extent.min.x, self.extent.max.x)?;
-        let y = slab(ray.origin.y, ray.dir.y, self.extent.min.y, self.extent.max.y)?;
-        let z = slab(ray.origin.z, ray.dir.z, self.extent.min.z, self.extent.max.z)?;
-        let later = |a: f64, b: f64| if a > b { a } else { b };
-        let sooner = |a: f64, b: f64| if a < b { a } else { b };
-        let (first, last) = (later(later(x.0, y.0), z.0), sooner(sooner(x.1, y.1), z.1));
-        // Most lines pass by so clearly that no tie matters.
-        if first - last > 1e-6 * (first.abs() + last.abs()) {
+        let ([enter, leave], ties) = self.axes(ray)?;
+        if ties {
+            return self.chosen(ray);
+        }
+        let at = |axis: usize, forward: bool| {
+            let face = if forward { self.extent.min[axis] } else { self.extent.max[axis] };
+            (face - ray.origin[axis]) / ray.dir[axis]
+        };
+        let (first, last) = (at(enter, ray.dir[enter] > 0.0), at(leave, ray.dir[leave] < 0.0));
+        Some(Self::crossings_at(ray, (first, enter), (last, leave)))
+    }
+
+    /// The axes of the slabs that a line enters last and leaves first, and whether others come so close that
+    /// they are to be looked at again. Most lines pass by so clearly that rounded distances tell.
+    #[inline]
+    fn axes(&self, ray: &Ray) -> Option<([usize; 2], bool)> {
+        let inverse = ray.dir.recip();
+        let (a, b) = ((self.extent.min - ray.origin) * inverse, (self.extent.max - ray.origin) * inverse);
+        let lesser = |a: f64, b: f64| if a < b { a } else { b };
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        let near = [lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z)];
+        let far = [greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z)];
+        let first = greater(greater(near[0], near[1]), near[2]);
+        let last = lesser(lesser(far[0], far[1]), far[2]);
+        let size = first.abs() + last.abs();
+        if first - last > 1e-6 * size {
             return None;
         }
-        let clear = 1e-9 * (first.abs() + last.abs());
-        let (a, b) =
-            (sole([x.0, y.0, z.0], |t| t >= first - clear), sole([x.1, y.1, z.1], |t| t <= last + clear));
-        match (a, b) {
-            (Some(enter), Some(leave)) if first <= last => {
-                Some(Self::crossings_at(ray, (first, enter), (last, leave)))
-            }
-            _ => Self::chosen(ray, [x, y, z]),
-        }
+        let clear = 1e-9 * size;
+        let (enter, leave) = (sole(near, |t| t >= first - clear), sole(far, |t| t <= last + clear));
+        Some(match (enter, leave) {
+            (Some(enter), Some(leave)) if last - first > clear => ([enter, leave], false),
+            _ => ([0, 0], true),
+        })
     }
 
     #[inline]
@@ -54,8 +69,12 @@ impl Cuboid {
         [Crossing::on_part(enter.0, entry_part as u32), Crossing::on_part(leave.0, exit_part as u32)]
     }
 
-    /// The sides that show at entry and exit, of the slabs of the three axes.
-    fn chosen(ray: &Ray, slabs: [(f64, f64); 3]) -> Option<[Crossing; 2]> {
+    /// The sides that show at entry and exit where lines meet edges, or run along sides.
+    #[inline(never)]
+    fn chosen(&self, ray: &Ray) -> Option<[Crossing; 2]> {
+        let of =
+            |axis: usize| slab(ray.origin[axis], ray.dir[axis], self.extent.min[axis], self.extent.max[axis]);
+        let slabs = [of(0)?, of(1)?, of(2)?];
         let mut enter = (f64::NEG_INFINITY, 0);
         let mut leave = (f64::INFINITY, 0);
         for (axis, (near, far)) in slabs.into_iter().enumerate() {
