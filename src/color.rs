@@ -2,13 +2,14 @@
 
 use std::ops::{Add, Mul};
 
-/// Red, green, blue; single precision, as the language stores colours.
-pub type Rgb = glam::Vec3;
+/// Red, green, blue; single precision, as the language stores colours. All three are worked on at once.
+pub type Rgb = glam::Vec3A;
 
 /// Weights of red, green and blue in a grey value, everywhere in the language.
 pub const GREY_WEIGHTS: Rgb = Rgb::new(0.297, 0.589, 0.114);
 
 /// The grey value of a colour.
+#[inline]
 pub fn grey(c: Rgb) -> f32 {
     c.dot(GREY_WEIGHTS)
 }
@@ -25,10 +26,12 @@ impl Color {
     pub const BLACK: Color = Color { rgb: Rgb::ZERO, filter: 0.0, transmit: 0.0 };
     pub const WHITE: Color = Color { rgb: Rgb::ONE, filter: 0.0, transmit: 0.0 };
 
+    #[inline]
     pub const fn rgb(r: f32, g: f32, b: f32) -> Self {
         Self { rgb: Rgb::new(r, g, b), filter: 0.0, transmit: 0.0 }
     }
 
+    #[inline]
     pub const fn new(r: f32, g: f32, b: f32, filter: f32, transmit: f32) -> Self {
         Self { rgb: Rgb::new(r, g, b), filter, transmit }
     }
@@ -43,15 +46,18 @@ impl Color {
     }
 
     /// Whether light passes through at all.
+    #[inline]
     pub fn is_transparent(&self) -> bool {
         self.filter != 0.0 || self.transmit != 0.0
     }
 
     /// What the surface does to light that passes through.
+    #[inline]
     pub fn transmittance(&self) -> Rgb {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
 
+    #[inline]
     pub fn lerp(self, other: Self, t: f32) -> Self {
         self * (1.0 - t) + other * t
     }
@@ -59,6 +65,7 @@ impl Color {
 
 impl Add for Color {
     type Output = Color;
+    #[inline]
     fn add(self, o: Color) -> Color {
         Color { rgb: self.rgb + o.rgb, filter: self.filter + o.filter, transmit: self.transmit + o.transmit }
     }
@@ -66,6 +73,7 @@ impl Add for Color {
 
 impl Mul<f32> for Color {
     type Output = Color;
+    #[inline]
     fn mul(self, k: f32) -> Color {
         Color { rgb: self.rgb * k, filter: self.filter * k, transmit: self.transmit * k }
     }

@@ -1,6 +1,7 @@
 //! Where numbers run out: scales, distances, thin shapes, surfaces that nearly coincide, input that makes no
 //! sense. docs/numerics.md has the promises and the figures; benches/extremes.sh makes the large tables.
 
+use glint::color::Rgb;
 use glint::interp::interpret_str;
 use glint::math::{Range, Ray, Vec3};
 use glint::scene::Scene;
@@ -197,7 +198,7 @@ fn a_long_fibre() {
         background { rgb <0.9, 0.6, 0.3> }";
     let pixels = picture(text, (16, 16));
     for pixel in pixels {
-        assert!((pixel.rgb - glam::Vec3::new(0.9, 0.6, 0.3)).abs().max_element() < 1e-3, "{pixel:?}");
+        assert!((pixel.rgb - Rgb::new(0.9, 0.6, 0.3)).abs().max_element() < 1e-3, "{pixel:?}");
     }
 }
 
@@ -464,8 +465,8 @@ fn what_is_no_number_is_counted() {
     let world = World::prepare(scene(text).expect("a scene"));
     let mut tracer = Tracer::new(&world, &Settings { width: 9, height: 9, ..Settings::default() });
     let mut pixel = |x: f64, y: f64| tracer.pixel(x + 0.5, y + 0.5).rgb;
-    assert_eq!(pixel(4.0, 4.0), glam::Vec3::ZERO);
-    assert_eq!(pixel(0.0, 0.0), glam::Vec3::ONE);
+    assert_eq!(pixel(4.0, 4.0), Rgb::ZERO);
+    assert_eq!(pixel(0.0, 0.0), Rgb::ONE);
     assert_eq!(tracer.counters().not_numbers, 1);
     let first = tracer.not_number().expect("its place");
     assert_eq!(first.kind, "sphere");

@@ -276,7 +276,7 @@ impl<'w> Tracer<'w> {
                 let ambient = self.diffuse_light(&query).unwrap_or(Rgb::ZERO);
                 light += ambient * medium.passes(1.0) as f32;
             }
-            sum += light * weight.as_vec3();
+            sum += light * weight.as_vec3a();
         }
         if count > 0 { sum / count as f32 } else { Rgb::ZERO }
     }
@@ -338,7 +338,7 @@ impl<'w> Tracer<'w> {
                 sum[channel] += self.single(site, medium, (place, depth, out), channel);
             }
         }
-        Vec3::from_array(sum.map(|s| s / f64::from(samples))).as_vec3()
+        Vec3::from_array(sum.map(|s| s / f64::from(samples))).as_vec3a()
     }
 
     /// Light of one channel that is scattered to the viewer at a place below the surface.
@@ -385,8 +385,8 @@ impl<'w> Tracer<'w> {
         if let Some(subsurface) = &mut self.subsurface {
             subsurface.nested += 1;
         }
-        let path = Path { weight, inside: Interiors::new(), ..site.path.clone() };
-        let seen = self.trace(Departure::from_hit(end).ray(outward), path).rgb;
+        let mut path = Path { weight, inside: Interiors::new(), ..site.path.clone() };
+        let seen = self.trace(&Departure::from_hit(end).ray(outward), &mut path).rgb;
         if let Some(subsurface) = &mut self.subsurface {
             subsurface.nested -= 1;
         }

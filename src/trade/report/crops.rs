@@ -1,6 +1,7 @@
 //! Where pictures differ most, side by side.
 
 use super::super::sweep::{Measurement, Row};
+use crate::color::Rgb;
 use crate::picture::embed::{escaped, png_address};
 use crate::picture::{Encoding, Picture, png};
 use std::fmt::Write;
@@ -75,7 +76,7 @@ fn places(m: &Measurement) -> Vec<(u32, u32)> {
 }
 
 fn difference(m: &Measurement, row: &Row, x: u32, y: u32) -> f64 {
-    let clipped = |p: &Picture, x, y| p.get(x, y).rgb.clamp(glam::Vec3::ZERO, glam::Vec3::ONE);
+    let clipped = |p: &Picture, x, y| p.get(x, y).rgb.clamp(Rgb::ZERO, Rgb::ONE);
     let mut sum = 0.0;
     for yy in y..(y + SIDE).min(m.size.height) {
         for xx in x..(x + SIDE).min(m.size.width) {
