@@ -59,6 +59,7 @@ pub use prism::{Prism, Sweep};
 pub use quadric::Quadric;
 pub use sor::{Sor, SorError};
 pub use sphere::Sphere;
+pub(crate) use sphere::sphere_span;
 pub use sphere_sweep::{SphereSweep, SweepKind};
 pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;

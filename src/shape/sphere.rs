@@ -28,7 +28,8 @@ impl Sphere {
 }
 
 /// Both ends of a line inside the sphere of radius `radius` about the origin, if it enters.
-pub(super) fn sphere_span(oc: Vec3, dir: Vec3, radius: f64) -> Option<(f64, f64)> {
+#[inline]
+pub(crate) fn sphere_span(oc: Vec3, dir: Vec3, radius: f64) -> Option<(f64, f64)> {
     let along = oc.dot(dir);
     let closest = oc - along * dir;
     let half_chord2 = radius * radius - closest.length_squared();

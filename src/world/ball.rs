@@ -1,40 +1,65 @@
+//! Spheres side by side, so that a ray that misses one touches nothing else of it.
+
+use super::geometry::Found;
 use super::placement::Placement;
 use crate::math::{EPSILON, Range, Ray, Vec3};
-use crate::shape::Shape;
+use crate::shape::{Crossing, Shape, sphere_span};
 
-/// A sphere in world space, a little too large: tells which rays need not be followed into the sphere's own
-/// space.
+/// A sphere in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball {
     center: Vec3,
     /// NaN for what is no sphere.
     radius: f64,
+    leaf: u32,
+    /// Whether this is the shape itself: it stands in world space. Else it is a little too large.
+    exact: bool,
+}
+
+/// What a ray has to do with a ball.
+pub(super) enum Met {
+    Nothing,
+    /// The nearest crossing inside the range, its upper end taken in.
+    Sphere(Found),
+    /// Ask the shape.
+    Perhaps,
 }
 
 /// Relative room for the roundings of the way into world space.
 const ROOM: f64 = 64.0 * EPSILON;
 
 impl Ball {
-    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN };
+    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN, leaf: 0, exact: false };
 
-    /// `None` unless `shape` is a sphere in the world too.
-    pub fn new(shape: &dyn Shape, place: Option<&Placement>) -> Option<Ball> {
+    /// `None` unless `shape`, that of a leaf, is a sphere in the world too.
+    pub fn new(shape: &dyn Shape, place: Option<&Placement>, leaf: u32) -> Option<Ball> {
         let (center, radius) = shape.sphere()?;
-        let (center, radius) = match place {
-            None => (center, radius),
-            Some(place) => (place.transform.point(center), radius / place.even_scale()?),
-        };
+        let Some(place) = place else { return Some(Ball { center, radius, leaf, exact: true }) };
+        let (center, radius) = (place.transform.point(center), radius / place.even_scale()?);
         let radius = radius * (1.0 + ROOM) + ROOM * center.abs().max_element();
-        (center.is_finite() && radius.is_finite()).then_some(Ball { center, radius })
+        (center.is_finite() && radius.is_finite()).then_some(Ball { center, radius, leaf, exact: false })
     }
 
-    pub fn is_some(&self) -> bool {
-        !self.radius.is_nan()
+    #[inline]
+    pub fn meet(&self, ray: &Ray, range: Range) -> Met {
+        if !self.exact {
+            let ruled_out = !self.radius.is_nan() && !self.may_be_met(ray, range);
+            return if ruled_out { Met::Nothing } else { Met::Perhaps };
+        }
+        let Some((near, far)) = sphere_span(ray.origin - self.center, ray.dir, self.radius) else {
+            return Met::Nothing;
+        };
+        let t = if near > range.min { near } else { far };
+        if t > range.min && t <= range.max {
+            Met::Sphere(Found { t, leaf: self.leaf, crossing: Crossing::new(t) })
+        } else {
+            Met::Nothing
+        }
     }
 
     /// False only if the ray has no point inside `range` that lies in the sphere.
     #[inline]
-    pub fn may_be_met(&self, ray: &Ray, range: Range) -> bool {
+    fn may_be_met(&self, ray: &Ray, range: Range) -> bool {
         let to = self.center - ray.origin;
         let along = to.dot(ray.dir);
         let beside = to - along * ray.dir;
@@ -75,7 +100,7 @@ mod tests {
                 .then(&Transform::rotate(turn))
                 .then(&Transform::translate(shift));
             let place = Placement::new(t);
-            let ball = Ball::new(&sphere, Some(&place)).expect("a sphere");
+            let ball = Ball::new(&sphere, Some(&place), 0).expect("a sphere");
             let (c, r) = (t.point(center), 10f64.powf(radius + size));
             let side = side.normalize();
             let along = side.any_orthonormal_vector();
@@ -93,12 +118,34 @@ mod tests {
 
     #[test]
     fn misses_are_mostly_seen() {
-        let ball = Ball::new(&Sphere::new(Vec3::ZERO, 1.0), None).expect("a sphere");
+        let nowhere = Placement::new(Transform::translate(Vec3::ZERO));
+        let ball = Ball::new(&Sphere::new(Vec3::ZERO, 1.0), Some(&nowhere), 0).expect("a sphere");
         let to = |origin, dir| Ray::new(origin, dir);
         assert!(ball.may_be_met(&to(Vec3::new(-5.0, 0.9, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(-5.0, 1.1, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(5.0, 0.0, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(-5.0, 0.0, 0.0), Vec3::X), Range::new(0.0, 3.9)));
         assert!(ball.may_be_met(&to(Vec3::new(-5.0, 0.0, 0.0), Vec3::X), Range::new(0.0, 4.1)));
+    }
+
+    proptest! {
+        /// What stands in world space is met where the shape says.
+        #[test]
+        fn a_sphere_in_the_world_is_met_as_the_shape_is(
+            center in vector(3.0), radius in 0.1..3.0f64, origin in vector(5.0), dir in vector(1.0), end in 0.0..9.0f64,
+        ) {
+            prop_assume!(dir.length() > 0.1);
+            let sphere = Sphere::new(center, -radius);
+            let ball = Ball::new(&sphere, None, 7).expect("a sphere");
+            let ray = Ray::new(origin, dir.normalize());
+            for max in [end, f64::INFINITY] {
+                let expected = sphere.nearest(&ray, Range::new(0.0, max));
+                match ball.meet(&ray, Range::new(0.0, max)) {
+                    Met::Sphere(found) => prop_assert_eq!((Some(found.crossing), found.leaf), (expected, 7)),
+                    Met::Nothing => prop_assert_eq!(expected, None),
+                    Met::Perhaps => prop_assert!(false, "the shape was not asked"),
+                }
+            }
+        }
     }
 }

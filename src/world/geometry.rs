@@ -1,6 +1,6 @@
 //! Leaves and their combinations, and how rays and points meet them.
 
-use super::ball::Ball;
+use super::ball::{Ball, Met};
 use super::compound::Compound;
 use super::hit::{InteriorId, Obstacle, RayClass};
 use super::placement::Placement;
@@ -24,6 +24,8 @@ pub(super) struct Leaf {
     pub interior_surface: u32,
     /// First of the parts' surfaces in `World::part_surfaces`.
     pub parts: u32,
+    /// Whether there are any.
+    pub has_parts: bool,
     /// Index into `World::shadings`.
     pub shading: u32,
     /// The compound whose children's textures show where this leaf cuts it.
@@ -73,17 +75,34 @@ pub(super) struct Geometry {
     root_reach: Vec<Reach>,
     /// Over the finite roots, by place in `finite`; `None` when they are too few.
     pub tree: Option<Bvh>,
-    pub finite: Vec<u32>,
-    pub infinite: Vec<u32>,
+    pub finite: Vec<Item>,
+    pub infinite: Vec<Item>,
     /// The finite roots by place once more, if most of them are spheres: a ray that misses one touches
     /// nothing else of it.
     balls: Vec<Ball>,
+}
+
+/// A root as rays look at it first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Item {
+    root: u32,
+    solid: Solid,
+    /// As in [`Root`].
+    hidden: u8,
+    /// Stops light and casts shadows.
+    shades: bool,
 }
 
 impl Root {
     /// Whether it stops light and casts shadows.
     fn casts_shadow(&self) -> bool {
         self.opaque && self.hidden & RayClass::Shadow.bit() == 0
+    }
+}
+
+impl Item {
+    fn new(index: u32, root: &Root) -> Item {
+        Item { root: index, solid: root.solid, hidden: root.hidden, shades: root.casts_shadow() }
     }
 }
 
@@ -94,37 +113,51 @@ struct Nearest {
     hidden: u8,
 }
 
+impl Nearest {
+    /// Takes a crossing at a distance of at most `max`, if it counts; the new end of the range.
+    #[inline]
+    fn take(&mut self, item: &Item, found: Found, max: f64) -> f64 {
+        if item.hidden & self.hidden != 0 || (found.t == max && item.root >= self.root) {
+            return max;
+        }
+        self.found = Some(found);
+        self.root = item.root;
+        found.t
+    }
+}
+
 /// With so few finite roots a tree costs more than it saves.
 const TREE_FROM: usize = 4;
 
 impl Geometry {
     /// Sorts the roots into finite and infinite ones and builds the tree.
     pub fn finish(&mut self) {
-        for (i, b) in self.root_bounds.iter().enumerate() {
+        for (i, (root, b)) in self.roots.iter().zip(&self.root_bounds).enumerate() {
             if b.is_empty() {
                 continue;
             }
-            if b.is_finite() { self.finite.push(i as u32) } else { self.infinite.push(i as u32) }
+            let item = Item::new(i as u32, root);
+            if b.is_finite() { self.finite.push(item) } else { self.infinite.push(item) }
         }
         if self.finite.len() < TREE_FROM {
             self.root_reach = self.root_bounds.iter().map(Reach::new).collect();
             return;
         }
-        let boxes: Vec<Aabb> = self.finite.iter().map(|&i| self.root_bounds[i as usize]).collect();
+        let boxes: Vec<Aabb> = self.finite.iter().map(|item| self.root_bounds[item.root as usize]).collect();
         let mut tree = Bvh::build(&boxes, Quality::Best);
         self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
         tree.take_order();
         self.tree = Some(tree);
-        let balls: Vec<Ball> = self.finite.iter().map(|&i| self.ball(i)).collect();
-        if 2 * balls.iter().filter(|b| b.is_some()).count() >= balls.len() {
-            self.balls = balls;
+        let is_sphere = |item: &&Item| self.ball(item.solid).is_some();
+        if 2 * self.finite.iter().filter(is_sphere).count() >= self.finite.len() {
+            self.balls = self.finite.iter().map(|item| self.ball(item.solid).unwrap_or(Ball::NONE)).collect();
         }
     }
 
-    fn ball(&self, root: u32) -> Ball {
-        let Solid::Leaf(i) = self.roots[root as usize].solid else { return Ball::NONE };
+    fn ball(&self, solid: Solid) -> Option<Ball> {
+        let Solid::Leaf(i) = solid else { return None };
         let leaf = &self.leaves[i as usize];
-        Ball::new(leaf.shape.as_ref(), leaf.place.as_deref()).unwrap_or(Ball::NONE)
+        Ball::new(leaf.shape.as_ref(), leaf.place.as_deref(), i)
     }
 
     /// The nearest crossing among the roots that `class` sees. Of equal distances the root that the scene
@@ -132,29 +165,29 @@ impl Geometry {
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
         let mut best = Nearest { found: None, root: NONE, hidden: class.bit() };
         let mut max = range.max;
-        for &i in &self.infinite {
-            max = self.nearer(&mut best, i, ray, Range::new(range.min, max));
+        for item in &self.infinite {
+            max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
         }
         let range = Range::new(range.min, max);
         match &self.tree {
             Some(tree) if self.balls.is_empty() => tree.traverse(ray, range, |place, max| {
-                let index = self.finite[place as usize];
-                self.nearer(&mut best, index, ray, Range::new(range.min, max))
+                self.nearer(&mut best, &self.finite[place as usize], ray, Range::new(range.min, max))
             }),
             Some(tree) => tree.traverse(ray, range, |place, max| {
-                let ball = &self.balls[place as usize];
                 let within = Range::new(range.min, max);
-                if ball.is_some() && !ball.may_be_met(ray, within) {
-                    return max;
+                let item = &self.finite[place as usize];
+                match self.balls[place as usize].meet(ray, within) {
+                    Met::Nothing => max,
+                    Met::Sphere(found) => best.take(item, found, max),
+                    Met::Perhaps => self.nearer(&mut best, item, ray, within),
                 }
-                self.nearer(&mut best, self.finite[place as usize], ray, within)
             }),
             None if self.finite.is_empty() => {}
             None => {
                 let probe = Probe::new(ray);
-                for &i in &self.finite {
-                    if self.may_meet(i, &probe, Range::new(range.min, max)) {
-                        max = self.nearer(&mut best, i, ray, Range::new(range.min, max));
+                for item in &self.finite {
+                    if self.may_meet(item, &probe, Range::new(range.min, max)) {
+                        max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
                     }
                     if max <= range.min {
                         break;
@@ -165,18 +198,17 @@ impl Geometry {
         best.found
     }
 
-    /// Takes root `index` into `best` if it is crossed nearer; the new end of the range.
+    /// Takes a root into `best` if it is crossed nearer; the new end of the range.
     #[inline]
-    fn nearer(&self, best: &mut Nearest, index: u32, ray: &Ray, range: Range) -> f64 {
-        let root = &self.roots[index as usize];
-        if root.hidden & best.hidden != 0 {
+    fn nearer(&self, best: &mut Nearest, item: &Item, ray: &Ray, range: Range) -> f64 {
+        if item.hidden & best.hidden != 0 {
             return range.max;
         }
-        let limit = if index < best.root { range.max.next_up() } else { range.max };
-        match self.nearest_of(root.solid, ray, Range::new(range.min, limit)) {
+        let limit = if item.root < best.root { range.max.next_up() } else { range.max };
+        match self.nearest_of(item.solid, ray, Range::new(range.min, limit)) {
             Some(found) => {
                 best.found = Some(found);
-                best.root = index;
+                best.root = item.root;
                 found.t.min(range.max)
             }
             None => range.max,
@@ -195,31 +227,35 @@ impl Geometry {
         let skipped = *last;
         let mut filter = Nearest { found: None, root: NONE, hidden: RayClass::Filtered.bit() };
         let mut max = range.max;
-        let mut stops = |index: u32| {
-            let root = &self.roots[index as usize];
-            if !root.casts_shadow() {
-                max = self.nearer(&mut filter, index, ray, Range::new(range.min, max));
+        // Whether it is met may be known already.
+        let mut stops = |item: &Item, met: Option<bool>| {
+            if !item.shades {
+                max = self.nearer(&mut filter, item, ray, Range::new(range.min, max));
                 return false;
             }
-            let stopped = index != skipped && self.meets(root.solid, ray, range);
+            let stopped = item.root != skipped && met.unwrap_or_else(|| self.meets(item.solid, ray, range));
             if stopped {
-                *last = index;
+                *last = item.root;
             }
             stopped
         };
-        let stopped = self.infinite.iter().any(|&i| stops(i))
+        let stopped = self.infinite.iter().any(|item| stops(item, None))
             || match &self.tree {
                 Some(tree) if self.balls.is_empty() => {
-                    tree.any(ray, range, |place| stops(self.finite[place as usize]))
+                    tree.any(ray, range, |place| stops(&self.finite[place as usize], None))
                 }
                 Some(tree) => tree.any(ray, range, |place| {
-                    let ball = &self.balls[place as usize];
-                    (!ball.is_some() || ball.may_be_met(ray, range)) && stops(self.finite[place as usize])
+                    let met = match self.balls[place as usize].meet(ray, range) {
+                        Met::Nothing => return false,
+                        Met::Sphere(found) => Some(found.t < range.max),
+                        Met::Perhaps => None,
+                    };
+                    stops(&self.finite[place as usize], met)
                 }),
                 None if self.finite.is_empty() => false,
                 None => {
                     let probe = Probe::new(ray);
-                    self.finite.iter().any(|&i| self.may_meet(i, &probe, range) && stops(i))
+                    self.finite.iter().any(|item| self.may_meet(item, &probe, range) && stops(item, None))
                 }
             };
         match (stopped, filter.found) {
@@ -229,33 +265,29 @@ impl Geometry {
         }
     }
 
-    /// Whether root `i` is worth asking without a tree: a combination takes longer than its box.
-    fn may_meet(&self, i: u32, probe: &Probe, range: Range) -> bool {
-        matches!(self.roots[i as usize].solid, Solid::Leaf(_))
-            || probe.meets(&self.root_reach[i as usize], range)
+    /// Whether a root is worth asking without a tree: a combination takes longer than its box.
+    #[inline]
+    fn may_meet(&self, item: &Item, probe: &Probe, range: Range) -> bool {
+        matches!(item.solid, Solid::Leaf(_)) || probe.meets(&self.root_reach[item.root as usize], range)
     }
 
     /// The roots that contain `p`, in scene order.
     pub fn roots_at(&self, p: Vec3) -> Vec<u32> {
-        let mut found: Vec<u32> = self
-            .infinite
-            .iter()
-            .copied()
-            .filter(|&i| self.contains(self.roots[i as usize].solid, p))
-            .collect();
-        let mut test = |i: u32| {
-            if self.contains(self.roots[i as usize].solid, p) {
-                found.push(i);
+        let mut found = Vec::new();
+        let mut test = |item: &Item| {
+            if self.contains(item.solid, p) {
+                found.push(item.root);
             }
         };
+        self.infinite.iter().for_each(&mut test);
         match &self.tree {
             Some(tree) => {
                 tree.any_at(p, |place| {
-                    test(self.finite[place as usize]);
+                    test(&self.finite[place as usize]);
                     false
                 });
             }
-            None => self.finite.iter().for_each(|&i| test(i)),
+            None => self.finite.iter().for_each(test),
         }
         found.sort_unstable();
         found
@@ -289,6 +321,7 @@ impl Geometry {
     }
 
     /// Whether there is any crossing inside `range`.
+    #[inline]
     pub fn meets(&self, solid: Solid, ray: &Ray, range: Range) -> bool {
         self.nearest_of(solid, ray, range).is_some()
     }
@@ -357,6 +390,7 @@ impl Geometry {
     }
 
     /// World point, error bound, local point and unit world normal of a crossing.
+    #[inline]
     pub fn locate(&self, ray: &Ray, found: &Found) -> Located {
         let leaf = &self.leaves[found.leaf as usize];
         let sign = if leaf.inverted { -1.0 } else { 1.0 };
