@@ -40,6 +40,8 @@ pub enum Magnet {
 
 /// The iteration whose result is the first that later ones are compared with; then at every doubling.
 const FIRST_RENEWAL: u32 = 16;
+/// Iterations between two comparisons.
+const STRETCH: u32 = 8;
 
 impl Fractal {
     pub fn new(kind: FractalKind, constant: Option<[f64; 2]>, iterations: u32) -> Self {
@@ -80,60 +82,139 @@ impl Fractal {
         }
     }
 
-    fn step(&self, z: Complex, c: Complex) -> Complex {
-        let one = Complex::new(1.0, 0.0);
+    fn value_at(&self, p: Vec3) -> f64 {
+        let at = Complex::new(p.x, p.y);
+        let c = self.constant.map_or(at, |[re, im]| Complex::new(re, im));
         match self.kind {
-            FractalKind::Power(2) => z * z + c,
-            FractalKind::Power(exponent) => z.power(exponent) + c,
-            FractalKind::Magnet(Magnet::First) => {
-                let top = z * z + c - one;
-                let bottom = z * 2.0 + c - one * 2.0;
-                (top / bottom).power(2)
+            // What stays has this value, wherever it goes.
+            FractalKind::Power(2) if self.constant.is_none() && self.interior.0 == 0 && is_attracted(c) => {
+                self.interior.1
             }
-            FractalKind::Magnet(Magnet::Second) => {
-                let (c1, c2) = (c - one, c - one * 2.0);
-                let top = z * z * z + c1 * z * 3.0 + c1 * c2;
-                let bottom = z * z * 3.0 + c2 * z * 3.0 + c1 * c2 + one;
-                (top / bottom).power(2)
-            }
+            FractalKind::Power(2) => self.orbit(Square, at, c),
+            FractalKind::Power(exponent) => self.orbit(Power(exponent), at, c),
+            FractalKind::Magnet(Magnet::First) => self.orbit(FirstMagnet, at, c),
+            FractalKind::Magnet(Magnet::Second) => self.orbit(SecondMagnet, at, c),
         }
     }
 
-    fn value_at(&self, p: Vec3) -> f64 {
-        let start = Complex::new(p.x, p.y);
-        let (c, mut z, mut least) = match (self.constant, self.kind) {
-            (Some([re, im]), _) => (Complex::new(re, im), start, start.square_length()),
-            (None, FractalKind::Power(_)) => (start, start, start.square_length()),
-            (None, FractalKind::Magnet(_)) => (start, Complex::new(0.0, 0.0), 10000.0),
-        };
+    fn orbit<I: Iteration>(&self, iteration: I, at: Complex, c: Complex) -> f64 {
+        let from_0 = self.constant.is_none() && I::BEGINS_AT_0;
+        let mut z = if from_0 { Complex::new(0.0, 0.0) } else { at };
+        let mut squares = z.squares();
+        let mut least = if from_0 { 10000.0 } else { squares.0 + squares.1 };
         // Orbits that stay end in cycles, exactly, for lack of digits: one round has seen all that there is.
         let (mut kept, mut kept_at, mut renew_at) = (Complex::new(f64::NAN, f64::NAN), 0, FIRST_RENEWAL);
-        for k in 0..self.iterations {
-            z = self.step(z, c);
-            let square = z.square_length();
-            least = if square < least { square } else { least };
-            if self.escapes(z) {
-                return self.outside(k, z);
+        let mut done = 0;
+        while done < self.iterations {
+            for k in done..self.iterations.min(done + STRETCH) {
+                z = iteration.step(z, squares, c);
+                squares = z.squares();
+                let square = squares.0 + squares.1;
+                least = if square < least { square } else { least };
+                if iteration.escapes(z, square) {
+                    return self.outside(k, z);
+                }
             }
+            done = self.iterations.min(done + STRETCH);
             if z == kept {
-                let rest = (self.iterations - 1 - k) % (k - kept_at);
-                return self.inside(least, (0..rest).fold(z, |z, _| self.step(z, c)));
+                let rest = (self.iterations - done) % (done - kept_at);
+                return self.inside(least, (0..rest).fold(z, |z, _| iteration.step(z, z.squares(), c)));
             }
-            if k == renew_at {
-                (kept, kept_at, renew_at) = (z, k, 2 * k);
+            if done >= renew_at {
+                (kept, kept_at, renew_at) = (z, done, 2 * done);
             }
         }
         self.inside(least, z)
     }
+}
 
-    /// Whether the iteration ends at `z`.
-    fn escapes(&self, z: Complex) -> bool {
-        match self.kind {
-            FractalKind::Power(_) => z.square_length() > 4.0,
-            FractalKind::Magnet(_) => {
-                z.square_length() > 10000.0 || (z - Complex::new(1.0, 0.0)).square_length() < 0.0001
-            }
-        }
+/// What is repeated, and when it ends.
+trait Iteration: Copy {
+    /// Where the point itself is the constant, the orbit begins at 0 instead of there.
+    const BEGINS_AT_0: bool = false;
+
+    /// What follows `z`, whose components' squares are known.
+    fn step(self, z: Complex, squares: (f64, f64), c: Complex) -> Complex;
+
+    /// Whether the orbit ends at `z`, of the given square length.
+    fn escapes(self, _z: Complex, square: f64) -> bool {
+        square > 4.0
+    }
+}
+
+/// Whether the orbit of 0 under `z^2 + c` is drawn to a fixed point or to a cycle of two: the Mandelbrot set's
+/// heart and the disc to its left.
+fn is_attracted(c: Complex) -> bool {
+    let y2 = c.im * c.im;
+    let (x, left) = (c.re - 0.25, c.re + 1.0);
+    let q = x * x + y2;
+    q * (q + x) < 0.25 * y2 || left * left + y2 < 0.0625
+}
+
+const ONE: Complex = Complex::new(1.0, 0.0);
+
+#[derive(Clone, Copy)]
+struct Square;
+
+impl Iteration for Square {
+    #[inline]
+    fn step(self, z: Complex, (re2, im2): (f64, f64), c: Complex) -> Complex {
+        Complex::new(re2 - im2 + c.re, 2.0 * (z.re * z.im) + c.im)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Power(u32);
+
+impl Iteration for Power {
+    #[inline]
+    fn step(self, z: Complex, _: (f64, f64), c: Complex) -> Complex {
+        z.power(self.0) + c
+    }
+}
+
+/// Magnets end far away, and near their fixed point 1.
+#[inline]
+fn magnet_escapes(z: Complex, square: f64) -> bool {
+    square > 10000.0 || (z - ONE).square_length() < 0.0001
+}
+
+#[derive(Clone, Copy)]
+struct FirstMagnet;
+
+impl Iteration for FirstMagnet {
+    const BEGINS_AT_0: bool = true;
+
+    #[inline]
+    fn step(self, z: Complex, _: (f64, f64), c: Complex) -> Complex {
+        let top = z * z + c - ONE;
+        let bottom = z * 2.0 + c - ONE * 2.0;
+        (top / bottom).power(2)
+    }
+
+    #[inline]
+    fn escapes(self, z: Complex, square: f64) -> bool {
+        magnet_escapes(z, square)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct SecondMagnet;
+
+impl Iteration for SecondMagnet {
+    const BEGINS_AT_0: bool = true;
+
+    #[inline]
+    fn step(self, z: Complex, _: (f64, f64), c: Complex) -> Complex {
+        let (c1, c2) = (c - ONE, c - ONE * 2.0);
+        let top = z * z * z + c1 * z * 3.0 + c1 * c2;
+        let bottom = z * z * 3.0 + c2 * z * 3.0 + c1 * c2 + ONE;
+        (top / bottom).power(2)
+    }
+
+    #[inline]
+    fn escapes(self, z: Complex, square: f64) -> bool {
+        magnet_escapes(z, square)
     }
 }
 
@@ -179,10 +260,17 @@ impl Complex {
         Self { re, im }
     }
 
+    #[inline]
+    fn squares(self) -> (f64, f64) {
+        (self.re * self.re, self.im * self.im)
+    }
+
+    #[inline]
     fn square_length(self) -> f64 {
         self.re * self.re + self.im * self.im
     }
 
+    #[inline]
     fn power(self, exponent: u32) -> Self {
         (1..exponent).fold(self, |z, _| z * self)
     }
@@ -190,6 +278,7 @@ impl Complex {
 
 impl std::ops::Add for Complex {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self::new(self.re + o.re, self.im + o.im)
     }
@@ -197,6 +286,7 @@ impl std::ops::Add for Complex {
 
 impl std::ops::Sub for Complex {
     type Output = Self;
+    #[inline]
     fn sub(self, o: Self) -> Self {
         Self::new(self.re - o.re, self.im - o.im)
     }
@@ -204,6 +294,7 @@ impl std::ops::Sub for Complex {
 
 impl std::ops::Mul for Complex {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         Self::new(self.re * o.re - self.im * o.im, self.re * o.im + self.im * o.re)
     }
@@ -211,6 +302,7 @@ impl std::ops::Mul for Complex {
 
 impl std::ops::Mul<f64> for Complex {
     type Output = Self;
+    #[inline]
     fn mul(self, k: f64) -> Self {
         Self::new(self.re * k, self.im * k)
     }
@@ -218,6 +310,7 @@ impl std::ops::Mul<f64> for Complex {
 
 impl std::ops::Div for Complex {
     type Output = Self;
+    #[inline]
     fn div(self, o: Self) -> Self {
         let scale = 1.0 / o.square_length();
         self * Self::new(o.re, -o.im) * scale
@@ -227,6 +320,26 @@ impl std::ops::Div for Complex {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn step(kind: FractalKind, z: Complex, c: Complex) -> Complex {
+        match kind {
+            FractalKind::Power(exponent) => z.power(exponent) + c,
+            FractalKind::Magnet(Magnet::First) => ((z * z + c - ONE) / (z * 2.0 + c - ONE * 2.0)).power(2),
+            FractalKind::Magnet(Magnet::Second) => {
+                let (c1, c2) = (c - ONE, c - ONE * 2.0);
+                let bottom = z * z * 3.0 + c2 * z * 3.0 + c1 * c2 + ONE;
+                ((z * z * z + c1 * z * 3.0 + c1 * c2) / bottom).power(2)
+            }
+        }
+    }
+
+    fn escapes(kind: FractalKind, z: Complex) -> bool {
+        let near_one = (z - ONE).square_length() < 0.0001;
+        match kind {
+            FractalKind::Power(_) => z.square_length() > 4.0,
+            FractalKind::Magnet(_) => z.square_length() > 10000.0 || near_one,
+        }
+    }
 
     /// The iteration as it stands in the table, to its very end.
     fn to_the_end(f: &Fractal, p: Vec3) -> f64 {
@@ -239,13 +352,30 @@ mod tests {
         let from_start = f.constant.is_some() || matches!(f.kind, FractalKind::Power(_));
         let mut least = if from_start { start.square_length() } else { 10000.0 };
         for k in 0..f.iterations {
-            z = f.step(z, c);
+            z = step(f.kind, z, c);
             least = least.min(z.square_length());
-            if f.escapes(z) {
+            if escapes(f.kind, z) {
                 return f.outside(k, z);
             }
         }
         f.inside(least, z)
+    }
+
+    #[test]
+    fn what_is_attracted_stays() {
+        let f = Fractal { interior: (0, 0.5), ..Fractal::new(FractalKind::Power(2), None, 2000) };
+        let mut attracted = 0;
+        for i in 0..40_000 {
+            let p = Vec3::new(f64::from(i % 200) * 0.0131 - 2.1, f64::from(i / 200) * 0.0129 - 1.3, 0.0);
+            if is_attracted(Complex::new(p.x, p.y)) {
+                attracted += 1;
+                assert_eq!(to_the_end(&f, p), 0.5, "{p}");
+            }
+        }
+        assert!(attracted > 6000, "{attracted}");
+        // Just inside and just outside of the heart's tip and the disc's left end.
+        let inside = |re: f64| is_attracted(Complex::new(re, 0.0));
+        assert!(inside(0.2499999) && !inside(0.2500001) && inside(-1.2499999) && !inside(-1.2500001));
     }
 
     #[test]
@@ -255,6 +385,7 @@ mod tests {
             (FractalKind::Power(2), Some([-0.12, 0.74])),
             (FractalKind::Power(3), None),
             (FractalKind::Magnet(Magnet::First), None),
+            (FractalKind::Magnet(Magnet::Second), None),
         ];
         for (kind, constant) in kinds {
             for (iterations, interior) in [(700, 1), (1001, 2), (1002, 3), (40, 6), (1003, 6)] {
