@@ -59,6 +59,12 @@ impl Crackle {
     /// The three smallest power sums of distances.
     fn least(&self, p: Vec3) -> [f64; 3] {
         let halves = 2.0 * self.metric;
+        #[cfg(target_arch = "x86_64")]
+        if halves == 4.0 && std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been seen to have what `least_wide` is compiled for.
+            #[allow(unsafe_code)]
+            return Neighbourhood::around(cell(p), |cells| unsafe { least_wide(cells, p) });
+        }
         Neighbourhood::around(cell(p), |cells| match halves {
             4.0 => least(cells, p, |d| d * d),
             2.0 => least(cells, p, f64::abs),
@@ -158,6 +164,13 @@ fn least(cells: &mut Neighbourhood, p: Vec3, power: impl Fn(f64) -> f64 + Copy) 
     s
 }
 
+/// [`least`] for squares, four at once: the same operations in the same order, so the same bits.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn least_wide(cells: &mut Neighbourhood, p: Vec3) -> [f64; 3] {
+    least(cells, p, |d| d * d)
+}
+
 /// The three smallest sums in some places: four lists side by side, then one.
 #[inline(always)]
 fn least_in(
@@ -215,6 +228,21 @@ impl Pattern for Crackle {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn wide_sums_are_the_plain_ones() {
+        if !std::arch::is_x86_feature_detected!("avx2") {
+            println!("skipped: no AVX2");
+            return;
+        }
+        for i in 0..300 {
+            let t = f64::from(i);
+            let p = Vec3::new((t * 0.71).sin() * 40.0, t * 0.13 - 2.0, (t * 0.37).cos() * 3.0);
+            let plain = Neighbourhood::around(cell(p), |cells| least(cells, p, |d| d * d));
+            assert_eq!(Crackle::default().least(p).map(f64::to_bits), plain.map(f64::to_bits), "{p}");
+        }
+    }
 
     #[test]
     fn leaving_cells_out_changes_nothing() {
