@@ -3,6 +3,7 @@
 //! Only if `fade_power` is above 0 and `fade_distance` is not 0.
 
 /// The share of light at `distance`.
+#[inline]
 pub fn factor(distance: f64, fade_distance: f64, fade_power: f64) -> f64 {
     if fade_power <= 0.0 || fade_distance == 0.0 {
         return 1.0;

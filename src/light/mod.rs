@@ -92,6 +92,7 @@ impl Default for Light {
 
 impl Light {
     /// Unit vector from the location towards `point_at`.
+    #[inline]
     pub fn axis(&self) -> Vec3 {
         self.known_axis.unwrap_or_else(|| (self.point_at - self.location).normalize_or(Vec3::Z))
     }
@@ -108,11 +109,13 @@ impl Light {
 
     /// The light at `p`; `offset` moves the lamp (a sample of an area light), else zero. `None` where no
     /// light arrives.
+    #[inline]
     pub fn arrival(&self, p: Vec3, offset: Vec3) -> Option<Arrival> {
         self.arrival_from(p, offset, self.towards(p, offset))
     }
 
     /// The same with what [`Light::towards`] said.
+    #[inline]
     pub fn arrival_from(&self, p: Vec3, offset: Vec3, (direction, distance): (Vec3, f64)) -> Option<Arrival> {
         let cone = match &self.kind {
             LightKind::Point => 1.0,
@@ -128,6 +131,7 @@ impl Light {
     }
 
     /// Unit vector to the lamp and distance, for a lamp moved by `offset` from the location.
+    #[inline]
     pub fn towards(&self, p: Vec3, offset: Vec3) -> (Vec3, f64) {
         let lamp = self.location + offset;
         let to_lamp = lamp - p;
@@ -166,6 +170,7 @@ impl Light {
 }
 
 /// Whether a colour counts as no light at all.
+#[inline]
 pub fn is_dark(color: Rgb) -> bool {
     color.abs().max_element() < DARK
 }

@@ -151,6 +151,7 @@ impl Pigment {
     }
 
     /// The colour if it is the same everywhere.
+    #[inline]
     pub fn plain(&self) -> Option<Color> {
         match self.kind {
             PigmentKind::Plain(color) => Some(color),
@@ -159,11 +160,13 @@ impl Pigment {
     }
 
     /// Whether no point lets light through.
+    #[inline]
     pub fn is_opaque(&self) -> bool {
         self.opaque
     }
 
     /// Whether colours hang on how a ray met the surface, not on the point alone.
+    #[inline]
     pub fn asks_hit(&self) -> bool {
         self.asks_hit
     }
@@ -195,6 +198,7 @@ impl Pigment {
 pub struct GreyPigment(pub Arc<Pigment>);
 
 impl Pattern for GreyPigment {
+    #[inline]
     fn asks_hit(&self) -> bool {
         self.0.asks_hit()
     }

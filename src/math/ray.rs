@@ -10,11 +10,13 @@ pub struct Ray {
 }
 
 impl Ray {
+    #[inline]
     pub fn new(origin: Vec3, dir: Vec3) -> Self {
         Self { origin, dir }
     }
 
     /// The point at parameter `t`.
+    #[inline]
     pub fn at(&self, t: f64) -> Vec3 {
         self.origin + t * self.dir
     }

@@ -78,38 +78,46 @@ impl Transform {
         Self { forward: self.inverse, inverse: self.forward }
     }
 
+    #[inline]
     pub fn is_identity(&self) -> bool {
         self.forward == DAffine3::IDENTITY
     }
 
+    #[inline]
     pub fn point(&self, p: Vec3) -> Vec3 {
         self.forward.transform_point3(p)
     }
 
+    #[inline]
     pub fn vector(&self, v: Vec3) -> Vec3 {
         self.forward.transform_vector3(v)
     }
 
     /// Takes a surface normal outward; not normalised.
+    #[inline]
     pub fn normal(&self, n: Vec3) -> Vec3 {
         self.inverse.matrix3.transpose() * n
     }
 
+    #[inline]
     pub fn inverse_point(&self, p: Vec3) -> Vec3 {
         self.inverse.transform_point3(p)
     }
 
+    #[inline]
     pub fn inverse_vector(&self, v: Vec3) -> Vec3 {
         self.inverse.transform_vector3(v)
     }
 
     /// Takes an outer surface normal inward; not normalised.
+    #[inline]
     pub fn inverse_normal(&self, n: Vec3) -> Vec3 {
         self.forward.matrix3.transpose() * n
     }
 
     /// The ray in inner space with unit direction, and the length that the direction had there: an inner
     /// distance divided by it is the outer distance.
+    #[inline]
     pub fn inverse_ray(&self, ray: &Ray) -> (Ray, f64) {
         let dir = self.inverse_vector(ray.dir);
         let len = dir.length();
@@ -168,6 +176,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    #[inline]
     fn vector(size: f64) -> impl Strategy<Value = Vec3> {
         (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
     }

@@ -11,16 +11,19 @@ pub(super) struct Span {
 }
 
 impl Span {
+    #[inline]
     pub fn new(enter: f64, leave: f64, part: u32) -> Self {
         Self { enter: (enter, part), leave: (leave, part) }
     }
 
     /// The whole line.
+    #[inline]
     pub fn line(part: u32) -> Self {
         Self::new(f64::NEG_INFINITY, f64::INFINITY, part)
     }
 
     /// What lies in both. At equal ends `other`'s part shows.
+    #[inline]
     pub fn intersection(self, other: Span) -> Self {
         let before = |a: f64, b: f64| a < b - tie(a, b);
         let enter = if before(other.enter.0, self.enter.0) { self.enter } else { other.enter };
@@ -28,6 +31,7 @@ impl Span {
         Self { enter, leave }
     }
 
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.enter.0 > self.leave.0 || self.enter.0.is_nan() || self.leave.0.is_nan()
     }
@@ -42,6 +46,7 @@ impl Span {
 }
 
 /// Distances nearer to each other than this meet on an edge.
+#[inline]
 pub(super) fn tie(a: f64, b: f64) -> f64 {
     if a.is_finite() && b.is_finite() { 8.0 * EPSILON * a.abs().max(b.abs()) } else { 0.0 }
 }

@@ -25,6 +25,7 @@ pub(super) struct Look<'a> {
 impl Look<'_> {
     /// `Some(true)` if light from `l` falls on the back and shines through, `Some(false)` on the front;
     /// `None` if it does not count.
+    #[inline]
     pub(super) fn is_lit_from_behind(&self, l: Vec3, both_sides: bool) -> Option<bool> {
         if both_sides || self.normal.dot(l) >= LIT {
             Some(false)

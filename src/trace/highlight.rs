@@ -8,7 +8,17 @@ use std::f64::consts::FRAC_PI_2;
 /// Below this cosine a phong highlight of size 60 or more is left out.
 const FAINT: f64 = 0.0008;
 
+/// Highlights weaker than e to this power are left out.
+const NOTHING: f64 = -25.0;
+
+/// `c^exponent` for a cosine, or 0 where it is next to nothing: `ln c <= c - 1` tells.
+#[inline]
+fn lobe(c: f64, exponent: f64) -> f32 {
+    if exponent * (c - 1.0) < NOTHING { 0.0 } else { c.powf(exponent) as f32 }
+}
+
 /// The strength of both highlights for the ray direction `v`, shading normal `n` and light direction `l`.
+#[inline]
 pub(super) fn strength(finish: &Finish, v: Vec3, n: Vec3, l: Vec3) -> f32 {
     let mut sum = 0.0;
     if finish.phong > 0.0 {
@@ -20,11 +30,13 @@ pub(super) fn strength(finish: &Finish, v: Vec3, n: Vec3, l: Vec3) -> f32 {
     sum
 }
 
+#[inline]
 fn phong(size: f64, v: Vec3, n: Vec3, l: Vec3) -> f32 {
     let c = (v - 2.0 * v.dot(n) * n).dot(l);
-    if c > 0.0 && (size < 60.0 || c > FAINT) { c.powf(size) as f32 } else { 0.0 }
+    if c > 0.0 && (size < 60.0 || c > FAINT) { lobe(c, size) } else { 0.0 }
 }
 
+#[inline]
 fn specular(exponent: f64, v: Vec3, n: Vec3, l: Vec3) -> f32 {
     let half = l - v;
     let length = half.length();
@@ -32,7 +44,7 @@ fn specular(exponent: f64, v: Vec3, n: Vec3, l: Vec3) -> f32 {
         return 0.0;
     }
     let c = half.dot(n) / length;
-    if c > 0.0 { c.powf(exponent) as f32 } else { 0.0 }
+    if c > 0.0 { lobe(c, exponent) } else { 0.0 }
 }
 
 /// What a metal does to a highlight's or a reflection's colour, at cosine `c` from the normal: it takes on
@@ -60,6 +72,18 @@ mod tests {
         assert!((phong(2.0, -Vec3::Y, Vec3::Y, l) - 0.64).abs() < 1e-6);
         // The half-way vector's cosine squared is (1 + 0.8) / 2.
         assert!((specular(4.0, -Vec3::Y, Vec3::Y, l) - 0.81).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_is_left_out_is_next_to_nothing() {
+        for exponent in [0.5, 3.0, 40.0, 1000.0] {
+            for i in 1..=1000 {
+                let c = f64::from(i) / 1000.0;
+                assert!(
+                    (f64::from(lobe(c, exponent)) - c.powf(exponent)).abs() < 1e-7 * c.powf(exponent) + 2e-11
+                );
+            }
+        }
     }
 
     #[test]

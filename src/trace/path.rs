@@ -9,6 +9,7 @@ use smallvec::SmallVec;
 pub(super) type Interiors = SmallVec<[InteriorId; 4]>;
 
 /// A copy, at once instead of one by one.
+#[inline]
 pub(super) fn copied(inside: &Interiors) -> Interiors {
     SmallVec::from_slice(inside)
 }
@@ -27,6 +28,7 @@ pub(super) struct Path {
 }
 
 impl Clone for Path {
+    #[inline]
     fn clone(&self) -> Self {
         Self { inside: copied(&self.inside), ..*self }
     }
@@ -57,6 +59,7 @@ impl Veil {
     pub const NONE: Veil = Veil { factor: Rgb::ONE, added: Rgb::ZERO, clear: 1.0 };
 
     /// `self` seen through `front`.
+    #[inline]
     pub fn under(self, front: Veil) -> Veil {
         Veil {
             factor: front.factor * self.factor,
@@ -65,6 +68,7 @@ impl Veil {
         }
     }
 
+    #[inline]
     pub fn over(&self, light: Radiance) -> Radiance {
         Radiance { rgb: self.factor * light.rgb + self.added, transmit: self.clear * light.transmit }
     }
@@ -85,15 +89,18 @@ impl Departure {
     /// rounding of the ray's own first step.
     const MARGIN: f64 = 2.0;
 
+    #[inline]
     pub fn from_hit(hit: &Hit) -> Self {
         Self { point: hit.point, normal: hit.face, error: hit.error }
     }
 
+    #[inline]
     pub fn free(point: Vec3) -> Self {
         Self { point, normal: Vec3::ZERO, error: 0.0 }
     }
 
     /// The ray towards `direction`, started on the side of the surface that it goes to.
+    #[inline]
     pub fn ray(&self, direction: Vec3) -> Ray {
         let shift = (Self::MARGIN * self.error).copysign(direction.dot(self.normal));
         Ray::new(self.point + shift * self.normal, direction)

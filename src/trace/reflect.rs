@@ -15,6 +15,7 @@ const NEAR: f64 = 1e-10;
 
 /// The share of light reflected, per component, at cosine `c`; `color` is the layer's pigment. `index` is
 /// asked for fresnel reflection only.
+#[inline]
 pub(super) fn reflectivity(r: &Reflection, c: f64, color: Rgb, index: impl FnOnce() -> f64) -> Rgb {
     if r.min == Rgb::ZERO && r.max == Rgb::ZERO {
         return Rgb::ZERO;
@@ -23,6 +24,7 @@ pub(super) fn reflectivity(r: &Reflection, c: f64, color: Rgb, index: impl FnOnc
     if r.metallic == 0.0 { k } else { k * metallic_tint(r.metallic, c, color) }
 }
 
+#[inline]
 fn plain_mix(r: &Reflection, c: f64) -> Rgb {
     if r.min == r.max {
         return r.min;
@@ -59,6 +61,7 @@ pub(super) fn fresnel(n: f64, c: f64) -> Option<f64> {
 
 /// The direction of a ray along `v` mirrored at the shading normal `n`, kept on the viewer's side of the
 /// surface, whose geometric normal towards the viewer is `facing`. All unit vectors.
+#[inline]
 pub(super) fn mirrored(v: Vec3, n: Vec3, facing: Vec3) -> Vec3 {
     let mirror = |v: Vec3, n: Vec3| v - 2.0 * v.dot(n) * n;
     let r = mirror(v, n);

@@ -10,7 +10,7 @@ use super::refract::{self, Passage};
 use super::tracer::Tracer;
 use super::{iridescence, reflect};
 use crate::color::{Color, Rgb, grey};
-use crate::material::{Finish, Texture};
+use crate::material::Finish;
 use crate::math::{Ray, Vec3};
 use crate::pattern::{Context, Incidence};
 use crate::world::{Hit, RayClass, Surface, World};
@@ -86,6 +86,7 @@ struct Bounce<'w> {
 }
 
 impl<'a> Site<'a> {
+    #[inline]
     pub fn new(ray: &'a Ray, hit: &'a Hit, path: &'a Path) -> Self {
         let facing = if hit.normal.dot(ray.dir) > 0.0 { -hit.normal } else { hit.normal };
         let departure = Departure::from_hit(hit);
@@ -103,10 +104,12 @@ impl<'a> Site<'a> {
     }
 
     /// Whether the side is seen that the normal points away from.
+    #[inline]
     pub fn is_back(&self) -> bool {
         self.hit.normal.dot(self.ray.dir) > 0.0
     }
 
+    #[inline]
     pub fn incidence(&self, world: &World) -> &Incidence {
         self.incidence.get_or_init(|| Incidence {
             point: self.hit.point,
@@ -120,7 +123,8 @@ impl<'a> Site<'a> {
 impl<'w> Tracer<'w> {
     pub(super) fn shade(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
         let mut site = Site::new(ray, hit, path);
-        let mut plan = self.plan(&mut site);
+        let mut plan = Plan { rgb: Rgb::ZERO, through: SmallVec::new(), bounces: SmallVec::new() };
+        self.plan(&mut site, &mut plan);
         let mut light = Radiance { rgb: plan.rgb, transmit: 0.0 };
         let mut onward = None;
         if !plan.through.is_empty() {
@@ -138,28 +142,56 @@ impl<'w> Tracer<'w> {
 
     /// All light that needs no further rays of colour, and which such rays there are.
     #[inline(never)]
-    fn plan(&mut self, site: &mut Site) -> Plan<'w> {
-        let mut surfaces = SmallVec::new();
-        self.world.surfaces(site.hit, site.is_back(), &mut surfaces);
-        let base = self.lit.len();
-        if has_several_layers(&surfaces) {
-            site.lit = Some(base);
-            self.lit.resize(base + self.world.lights.len(), None);
-        }
-        let site = &*site;
-        let mut plan = Plan { rgb: Rgb::ZERO, through: SmallVec::new(), bounces: SmallVec::new() };
-        let (world, context, normal) = (self.world, self.context, Cell::new(site.facing));
-        for &(share, surface) in &surfaces {
-            if surfaces.len() == 1 || share >= self.adc_bailout {
-                let incidence = || site.incidence(world);
-                layers::stacks(surface, site.hit, &context, incidence, &normal, |part, stack| {
-                    self.stack(site, share * part, stack, &normal, &mut plan);
-                });
+    fn plan(&mut self, site: &mut Site, plan: &mut Plan<'w>) {
+        let (world, normal) = (self.world, Cell::new(site.facing));
+        match world.sole_surface(site.hit, site.is_back()) {
+            Some(surface) if surface.has_one_layer() => {
+                self.plan_part(site, (1.0, surface), &normal, plan);
+            }
+            sole => {
+                let base = self.lit.len();
+                site.lit = Some(base);
+                self.lit.resize(base + world.lights.len(), None);
+                self.plan_parts(site, sole, &normal, plan);
+                self.lit.truncate(base);
             }
         }
-        self.lit.truncate(base);
         self.spare_nearby.extend(site.photons.take());
-        plan
+    }
+
+    /// All surfaces that show at the hit, `sole` if that is the only one.
+    fn plan_parts(
+        &mut self,
+        site: &Site,
+        sole: Option<&'w Surface>,
+        normal: &Cell<Vec3>,
+        plan: &mut Plan<'w>,
+    ) {
+        let mut surfaces: SmallVec<[(f32, &'w Surface); 2]> = SmallVec::new();
+        match sole {
+            Some(surface) => surfaces.push((1.0, surface)),
+            None => self.world.surfaces(site.hit, site.is_back(), &mut surfaces),
+        }
+        for &part in &surfaces {
+            if surfaces.len() == 1 || part.0 >= self.adc_bailout {
+                self.plan_part(site, part, normal, plan);
+            }
+        }
+    }
+
+    #[inline]
+    fn plan_part(
+        &mut self,
+        site: &Site,
+        (share, surface): (f32, &'w Surface),
+        normal: &Cell<Vec3>,
+        plan: &mut Plan<'w>,
+    ) {
+        let (world, context) = (self.world, self.context);
+        let incidence = || site.incidence(world);
+        layers::stacks(surface, site.hit, &context, incidence, normal, |part, stack| {
+            self.stack(site, share * part, stack, normal, plan);
+        });
     }
 
     /// One stack of layers, top first. `last` is the normal after the most recent perturbation at this hit.
@@ -222,6 +254,7 @@ impl<'w> Tracer<'w> {
 
     /// The layer's shading normal; `last` is the one left by the layers before, which this one replaces if
     /// it perturbs.
+    #[inline]
     pub(super) fn normal(&self, site: &Site, placed: &Placed, last: &Cell<Vec3>) -> Vec3 {
         if placed.layer.normal.is_none() || self.settings.quality < 8 {
             return site.facing;
@@ -236,6 +269,7 @@ impl<'w> Tracer<'w> {
         normal
     }
 
+    #[inline]
     pub(super) fn pigment(&self, site: &Site, placed: &Placed, normal: Vec3) -> Option<Color> {
         let pigment = &placed.layer.pigment;
         if self.settings.quality <= 5 && pigment.quick_color.is_some() {
@@ -251,6 +285,7 @@ impl<'w> Tracer<'w> {
         placed.color(&Context { hit: Some(&incidence), ..self.context })
     }
 
+    #[inline]
     pub(super) fn reflectivity(&self, site: &Site, finish: &Finish, normal: Vec3, color: Rgb) -> Rgb {
         if self.settings.quality < 8 {
             return Rgb::ZERO;
@@ -262,6 +297,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The layer's own opacity.
+    #[inline]
     fn opacity(&self, c: Color) -> f32 {
         let filter = if self.modern { c.filter } else { c.filter * c.rgb.max_element() };
         1.0 - filter - c.transmit
@@ -343,8 +379,8 @@ impl<'w> Tracer<'w> {
         let (ray, path) = (site.ray, site.path);
         self.counters.reflected_rays += 1;
         let direction = reflect::mirrored(ray.dir, bounce.normal, site.facing);
-        let child = Path { weight: bounce.weight, class: mirrored_class(path.class), ..path.clone() };
-        let mut rgb = self.trace(site.departure.ray(direction), child).rgb;
+        let mut child = Path { weight: bounce.weight, class: mirrored_class(path.class), ..path.clone() };
+        let mut rgb = self.trace(&site.departure.ray(direction), &mut child).rgb;
         let finish = bounce.finish;
         rgb *= self.film_factor(site, finish, bounce.normal, direction);
         if finish.reflection.power != 1.0 {
@@ -402,18 +438,18 @@ impl<'w> Tracer<'w> {
         ratio: f64,
         wavelength: Option<f64>,
     ) -> (Radiance, bool) {
-        let child = Path { weight: stack.weight, wavelength, ..site.path.clone() };
+        let mut child = Path { weight: stack.weight, wavelength, ..site.path.clone() };
         match refract::bent(site.ray.dir, stack.normal, ratio) {
             Some(direction) => {
                 self.counters.refracted_rays += 1;
-                let child = Path { inside: copied(&passage.inside), ..child };
-                (self.trace(site.departure.ray(direction), child), false)
+                child.inside = copied(&passage.inside);
+                (self.trace(&site.departure.ray(direction), &mut child), false)
             }
             None => {
                 self.counters.reflected_rays += 1;
                 let direction = reflect::mirrored(site.ray.dir, stack.normal, site.facing);
-                let child = Path { class: mirrored_class(child.class), ..child };
-                let mut seen = self.trace(site.departure.ray(direction), child);
+                child.class = mirrored_class(child.class);
+                let mut seen = self.trace(&site.departure.ray(direction), &mut child);
                 if let Some(finish) = stack.finish {
                     seen.rgb *= self.film_factor(site, finish, stack.normal, direction);
                 }
@@ -443,14 +479,7 @@ pub(super) fn declared_maximum(finish: &Finish, k: Rgb) -> f32 {
     if r.fresnel { k.max_element() } else { r.min.max_element().max(r.max.max_element()) }
 }
 
+#[inline]
 fn mirrored_class(class: RayClass) -> RayClass {
     if class == RayClass::Image { RayClass::Reflected } else { class }
-}
-
-fn has_several_layers(surfaces: &[(f32, &Surface)]) -> bool {
-    let [(_, surface)] = surfaces else { return true };
-    match &surface.layers[..] {
-        [only] => !matches!(&*only.texture, Texture::Layers(layers) if layers.len() == 1),
-        _ => true,
-    }
 }

@@ -42,6 +42,7 @@ impl Stretch {
 
 impl Tracer<'_> {
     /// The light's colour at a point after shadows.
+    #[inline]
     pub(super) fn shadowed(
         &mut self,
         departure: &Departure,
@@ -232,6 +233,7 @@ impl Tracer<'_> {
 const SAFETY: f64 = 64.0;
 
 /// Where blockers stop counting: the lamp, less the rounding error of its distance.
+#[inline]
 fn lamp_end(ray: &Ray, distance: f64) -> f64 {
     let size = ray.origin.abs().max_element() + distance.abs();
     distance - SAFETY * EPSILON * size

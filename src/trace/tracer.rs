@@ -252,10 +252,10 @@ impl<'w> Tracer<'w> {
             radiosity.begin_ray();
         }
         let inside = self.camera_interiors(&ray);
-        let path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
+        let mut path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
         let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
         let hit = self.world.nearest(&ray, range, path.class);
-        self.trace_from(ray, path, hit)
+        self.trace_from(&ray, &mut path, hit.as_ref())
     }
 
     fn camera_interiors(&mut self, ray: &Ray) -> Interiors {
@@ -301,43 +301,67 @@ impl<'w> Tracer<'w> {
     }
 
     /// The colour that `ray` brings back.
-    pub(super) fn trace(&mut self, ray: Ray, path: Path) -> Radiance {
+    pub(super) fn trace(&mut self, ray: &Ray, path: &mut Path) -> Radiance {
         if path.level >= self.max_level || path.weight < self.adc_bailout {
             return Radiance::BLACK;
         }
-        let hit = self.world.nearest(&ray, Range::FORWARD, path.class);
-        self.trace_from(ray, path, hit)
+        let hit = self.world.nearest(ray, Range::FORWARD, path.class);
+        self.trace_from(ray, path, hit.as_ref())
     }
 
-    /// The same, for a ray whose hit is known. Surfaces that are passed without bending are followed in a
-    /// loop: they cost no level.
-    pub(super) fn trace_from(&mut self, mut ray: Ray, mut path: Path, mut next: Option<Hit>) -> Radiance {
-        let mut front = Veil::NONE;
-        for passed in 0..MAX_PASSED {
+    /// The same, for a ray whose hit is known.
+    pub(super) fn trace_from(&mut self, ray: &Ray, path: &mut Path, hit: Option<&Hit>) -> Radiance {
+        if path.level >= self.max_level || path.weight < self.adc_bailout {
+            return Radiance::BLACK;
+        }
+        path.level += 1;
+        let Some(hit) = hit else { return self.leave(ray, path) };
+        let shaded = self.shaded(ray, hit, path);
+        let front = if self.needs.interiors { self.segment_veil(ray, hit, path) } else { Veil::NONE };
+        match shaded.onward {
+            Some(onward) => self.trace_on(onward, shaded.light, path, front),
+            None if self.needs.interiors => front.over(shaded.light),
+            None => shaded.light,
+        }
+    }
+
+    /// Behind a surface that was passed without bending; such surfaces are followed in a loop, and cost no
+    /// level. `light` is that of the surface, `front` what lies before it.
+    #[inline(never)]
+    fn trace_on(
+        &mut self,
+        mut onward: Onward,
+        mut light: Radiance,
+        path: &mut Path,
+        mut front: Veil,
+    ) -> Radiance {
+        for _ in 1..MAX_PASSED {
+            let behind = Veil { factor: onward.factor, added: light.rgb, clear: onward.clear };
+            front = behind.under(front);
+            let ray = onward.ray;
+            (path.weight, path.inside) = (onward.weight, onward.inside);
             if path.level >= self.max_level || path.weight < self.adc_bailout {
                 return front.over(Radiance::BLACK);
             }
-            if passed == 0 {
-                path.level += 1;
-            } else {
-                next = self.world.nearest(&ray, Range::FORWARD, path.class);
-            }
-            let Some(hit) = &next else {
-                return front.over(self.leave(&ray, &path));
-            };
-            let mut shaded = self.shade(&ray, hit, &path);
-            if shaded.light.rgb.is_nan() || shaded.light.transmit.is_nan() {
-                self.refuse(hit, &mut shaded);
-            }
+            let hit = self.world.nearest(&ray, Range::FORWARD, path.class);
+            let Some(hit) = &hit else { return front.over(self.leave(&ray, path)) };
+            let shaded = self.shaded(&ray, hit, path);
             if self.needs.interiors {
-                front = self.segment_veil(&ray, hit, &path).under(front);
+                front = self.segment_veil(&ray, hit, path).under(front);
             }
-            let Some(onward) = shaded.onward else { return front.over(shaded.light) };
-            let behind = Veil { factor: onward.factor, added: shaded.light.rgb, clear: onward.clear };
-            front = behind.under(front);
-            Onward { ray, weight: path.weight, inside: path.inside, .. } = onward;
+            let Some(further) = shaded.onward else { return front.over(shaded.light) };
+            (onward, light) = (further, shaded.light);
         }
         front.over(Radiance::BLACK)
+    }
+
+    #[inline]
+    fn shaded(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
+        let mut shaded = self.shade(ray, hit, path);
+        if shaded.light.rgb.is_nan() || shaded.light.transmit.is_nan() {
+            self.refuse(hit, &mut shaded);
+        }
+        shaded
     }
 
     /// The sky behind the air.

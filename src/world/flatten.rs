@@ -271,6 +271,7 @@ impl Flattened {
             surface,
             interior_surface,
             parts,
+            has_parts: !object.part_textures.is_empty(),
             shading,
             cutaway: if own_texture { NONE } else { inner.cutaway },
             interior: inner.interior.unwrap_or(InteriorId(0)),

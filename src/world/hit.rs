@@ -141,6 +141,14 @@ impl Surface {
         let asks_hit = layers.iter().any(|l| l.texture.asks_hit());
         Self { layers, opaque, filter, asks_hit }
     }
+
+    /// Whether there is just one layer, the same everywhere.
+    pub fn has_one_layer(&self) -> bool {
+        match &self.layers[..] {
+            [only] => matches!(&*only.texture, Texture::Layers(layers) if layers.len() == 1),
+            _ => false,
+        }
+    }
 }
 
 #[derive(Debug)]

@@ -108,6 +108,7 @@ impl World {
         self.geometry.nearest(ray, range, class).map(|found| self.hit(ray, &found))
     }
 
+    #[inline]
     fn hit(&self, ray: &Ray, found: &Found) -> Hit {
         let located = self.geometry.locate(ray, found);
         let leaf = &self.geometry.leaves[found.leaf as usize];
@@ -151,6 +152,7 @@ impl World {
     /// What stands in the way of light inside `range`: any fully opaque object, or else the nearest surface of
     /// one that lets light through. `last` only makes it faster: one per light and thread, at first
     /// [`Blocker::default`].
+    #[inline]
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut Blocker) -> Obstacle<Hit> {
         match self.geometry.obstacle(ray, range, &mut last.0) {
             Obstacle::None => Obstacle::None,
@@ -169,6 +171,7 @@ impl World {
         self.geometry.roots_at(p).into_iter().map(|i| self.geometry.roots[i as usize].interior).collect()
     }
 
+    #[inline]
     pub fn interior(&self, id: InteriorId) -> &Interior {
         &self.interiors[id.0 as usize].interior
     }
@@ -184,6 +187,7 @@ impl World {
     }
 
     /// Whether the interior's object is hollow (media and fog act inside it).
+    #[inline]
     pub fn is_hollow(&self, id: InteriorId) -> bool {
         self.interiors[id.0 as usize].hollow
     }
@@ -209,6 +213,19 @@ impl World {
     pub fn uv(&self, hit: &Hit) -> Vec2 {
         let shape = &self.geometry.leaves[hit.item as usize].shape;
         shape.uv(hit.local, &hit.crossing).unwrap_or(Vec2::new(hit.point.x, hit.point.y))
+    }
+
+    /// The surface that shows at a hit, if it is certain to be the only one. `from_inside` asks for the
+    /// `interior_texture` where there is one.
+    #[inline]
+    pub fn sole_surface(&self, hit: &Hit, from_inside: bool) -> Option<&Surface> {
+        let leaf = &self.geometry.leaves[hit.item as usize];
+        let number = match from_inside && leaf.interior_surface != NONE {
+            true => leaf.interior_surface,
+            false if leaf.has_parts => NONE,
+            false => leaf.surface,
+        };
+        (number != NONE).then(|| &self.surfaces[number as usize])
     }
 
     /// The surfaces that show at a hit with weights that add to 1. `from_inside` asks for the

@@ -83,7 +83,7 @@ impl Tracer<'_> {
             return;
         }
         self.set_quality(1.0);
-        let mut color = self.trace_from(*ray, path.clone(), hit).rgb;
+        let mut color = self.trace_from(ray, &mut path.clone(), hit.as_ref()).rgb;
         let mut quality = self.radiosity.as_ref().map_or(1.0, |r| r.quality);
         if importance < 1.0 {
             // The rays that are shaded stand for those that are not.

@@ -35,7 +35,7 @@ impl Tracer<'_> {
             let direction = frame.to_world(cosine_direction(across, around));
             if direction.dot(query.facing) > 0.0 {
                 self.counters.gather_rays += 1;
-                sum += self.trace(query.departure.ray(direction), path.clone()).rgb;
+                sum += self.trace(&query.departure.ray(direction), &mut path.clone()).rgb;
             }
         }
         self.max_level = level;
