@@ -30,6 +30,8 @@ pub const MAX_PIECES: usize = 1 << 20;
 pub struct BicubicPatch {
     controls: Controls,
     pieces: Vec<PatchPiece>,
+    /// Of each piece: at its low, far, near and high corner (see [`PatchPiece::corners`]).
+    points: Vec<[Vec3; 4]>,
     tree: Bvh,
     uv_vectors: [Vec2; 4],
     detail: PatchDetail,
@@ -43,6 +45,10 @@ struct PatchPiece {
 }
 
 impl PatchPiece {
+    fn corners(&self) -> [Vec2; 4] {
+        [self.low, Vec2::new(self.low.x, self.high.y), Vec2::new(self.high.x, self.low.y), self.high]
+    }
+
     /// Parameters of the corners of its two triangles.
     fn triangle(&self, second: bool) -> [Vec2; 3] {
         let far = Vec2::new(self.low.x, self.high.y);
@@ -110,11 +116,13 @@ impl BicubicPatch {
     /// `None` if it would take more than [`MAX_PIECES`] pieces.
     pub fn new(controls: Controls, detail: PatchDetail, uv_vectors: [Vec2; 4]) -> Option<Self> {
         let pieces = pieces(&controls, detail)?;
-        Some(Self { controls, pieces, tree: Bvh::build(&[], Quality::Best), uv_vectors, detail }.with_tree())
+        let tree = Bvh::build(&[], Quality::Best);
+        Some(Self { controls, pieces, points: Vec::new(), tree, uv_vectors, detail }.with_tree())
     }
 
     fn with_tree(mut self) -> Self {
-        let boxes: Vec<Aabb> = (0..self.pieces.len()).map(|i| self.piece_bounds(i)).collect();
+        self.points = self.pieces.iter().map(|piece| piece.corners().map(|uv| self.at(uv))).collect();
+        let boxes: Vec<Aabb> = self.points.iter().map(|p| Aabb::from_points(*p)).collect();
         self.tree = Bvh::build(&boxes, Quality::Best);
         self
     }
@@ -130,22 +138,21 @@ impl BicubicPatch {
         along_u.cross(along_v).normalize_or_zero()
     }
 
-    fn piece_bounds(&self, piece: usize) -> Aabb {
-        let p = &self.pieces[piece];
-        let corners = [p.low, p.high, Vec2::new(p.low.x, p.high.y), Vec2::new(p.high.x, p.low.y)];
-        Aabb::from_points(corners.map(|uv| self.at(uv)))
-    }
-
     /// Parameters of the corners of the triangle that a crossing is on.
     fn corners(&self, crossing: &Crossing) -> [Vec2; 3] {
         self.pieces[crossing.part as usize / 2].triangle(crossing.part % 2 == 1)
     }
 
+    /// Corners of one of a piece's two triangles.
+    fn triangle(&self, piece: u32, second: bool) -> [Vec3; 3] {
+        let [low, far, near, high] = self.points[piece as usize];
+        if second { [low, high, near] } else { [low, far, high] }
+    }
+
     fn hits(&self, piece: u32, ray: &Ray, shear: &Shear, mut found: impl FnMut(Crossing)) {
         for second in [false, true] {
-            let corners = self.pieces[piece as usize].triangle(second).map(|uv| self.at(uv));
-            let Some(w) = shear.weights(corners.map(|p| p - ray.origin)) else { continue };
-            let [a, b, c] = corners;
+            let [a, b, c] = self.triangle(piece, second);
+            let Some(w) = shear.weights([a - ray.origin, b - ray.origin, c - ray.origin]) else { continue };
             let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
             if let Some(t) = meet(ray, normal, a) {
                 found(Crossing { t, part: 2 * piece + u32::from(second), uv: Vec2::new(w.y, w.z) });
@@ -255,7 +262,7 @@ impl Shape for BicubicPatch {
     }
 
     fn face_normal(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec3> {
-        let [a, b, c] = self.corners(crossing).map(|uv| self.at(uv));
+        let [a, b, c] = self.triangle(crossing.part / 2, crossing.part % 2 == 1);
         // The same way round as the patch's own: u is along i, v along j.
         let n = (b - a).cross(c - a);
         let n = if crossing.part.is_multiple_of(2) { -n } else { n };
@@ -263,7 +270,7 @@ impl Shape for BicubicPatch {
     }
 
     fn locate(&self, _ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
-        let corners = self.corners(crossing).map(|uv| self.at(uv));
+        let corners = self.triangle(crossing.part / 2, crossing.part % 2 == 1);
         let size = corners.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         (mix(crossing.uv, corners), rounding(4.0 * size))
     }
@@ -292,7 +299,7 @@ impl Shape for BicubicPatch {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.pieces.capacity() * size_of::<PatchPiece>() + self.tree.heap_bytes()
+        size_of_val(&self.pieces[..]) + size_of_val(&self.points[..]) + self.tree.heap_bytes()
     }
 }
 

@@ -237,6 +237,10 @@ impl Blob {
 
     /// Sign changes of the summed fields less the threshold, until `found` says that it is enough.
     fn search(&self, stretches: &mut [Stretch], range: Range, mut found: impl FnMut(f64) -> bool) {
+        // All together may not be enough anywhere.
+        if self.threshold > 0.0 && stretches.iter().map(Stretch::most).sum::<f64>() < self.threshold {
+            return;
+        }
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
         let mut stops: SmallVec<[f64; 32]> = stretches.iter().flat_map(|s| [s.from, s.to]).collect();
         stops.sort_unstable_by(f64::total_cmp);

@@ -229,6 +229,11 @@ pub(crate) fn surround(pieces: &[Piece], p: Vec2) -> bool {
         if piece.min.y > p.y || piece.max.y < p.y || piece.max.x < p.x {
             continue;
         }
+        if piece.min.x > p.x {
+            // All crossings count: how many is odd if the ends are on different sides.
+            inside ^= (piece.start.y < p.y) != (piece.end.y < p.y);
+            continue;
+        }
         for w in piece.crossings(0.0, 1.0, -p.y) {
             inside ^= piece.at(w).x > p.x;
         }

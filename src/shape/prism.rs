@@ -38,12 +38,25 @@ pub struct Prism {
     high: f64,
     sweep: Sweep,
     open: bool,
+    /// Corners of a box around the outline.
+    corners: [Vec2; 2],
+    bounds: Aabb,
 }
 
 impl Prism {
     pub(crate) fn new(pieces: Vec<Piece>, heights: [f64; 2], sweep: Sweep, open: bool) -> Self {
         let [a, b] = heights;
-        Self { pieces, low: a.min(b), high: a.max(b), sweep, open }
+        let least = pieces.iter().fold(Vec2::INFINITY, |m, p| m.min(p.min));
+        let most = pieces.iter().fold(Vec2::NEG_INFINITY, |m, p| m.max(p.max));
+        let (low, high) = (a.min(b), a.max(b));
+        let section = |y: f64, k: f64| {
+            Aabb::new(Vec3::new(k * least.x, y, k * least.y), Vec3::new(k * most.x, y, k * most.y))
+        };
+        let bounds = match sweep {
+            Sweep::Linear => section(low, 1.0).union(section(high, 1.0)),
+            Sweep::Conic => section(low, low).union(section(high, high)),
+        };
+        Self { pieces, low, high, sweep, open, corners: [least, most], bounds }
     }
 
     /// Coefficients of the line in the outline's plane that a ray meets the sides along.
@@ -83,10 +96,12 @@ impl Prism {
         }
     }
 
-    fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing)) {
+    /// Calls `found` with crossings; it says up to where more are wanted.
+    fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
         let (o, d) = (ray.origin.y, ray.dir.y);
         let (a, b, c) = self.trace(ray);
-        if a != 0.0 || b != 0.0 {
+        let mut wanted = range;
+        if (a != 0.0 || b != 0.0) && self.corners_part(a, b, c) {
             for (i, piece) in self.pieces.iter().enumerate() {
                 if !piece.may_cross(a, b, c) {
                     continue;
@@ -95,7 +110,9 @@ impl Prism {
                     let t = self.distance(ray, piece.at(w));
                     let height = o + t * d;
                     if range.contains(t) && height >= self.low && height <= self.high {
-                        found(Crossing { t, part: SIDES + i as u32, uv: Vec2::new(w, 0.0) });
+                        let uv = Vec2::new(w, 0.0);
+                        wanted.max =
+                            wanted.max.min(found(Crossing { t, part: SIDES + i as u32, uv }).next_up());
                     }
                 }
             }
@@ -106,11 +123,25 @@ impl Prism {
         for (part, height) in [(LOW, self.low), (HIGH, self.high)] {
             let t = (height - o) / d;
             let is_apex = self.sweep == Sweep::Conic && height == 0.0;
-            if !is_apex && range.contains(t) && surround(&self.pieces, self.section(ray.at(t).with_y(height)))
-            {
-                found(Crossing::on_part(t, part));
+            if !is_apex && wanted.contains(t) && self.holds(self.section(ray.at(t).with_y(height))) {
+                wanted.max = wanted.max.min(found(Crossing::on_part(t, part)).next_up());
             }
         }
+    }
+
+    /// Whether a line in the outline's plane passes the box around the outline.
+    fn corners_part(&self, a: f64, b: f64, c: f64) -> bool {
+        let [least, most] = self.corners;
+        let (middle, half) = (0.5 * (least + most), 0.5 * (most - least));
+        let reach = a.abs() * half.x + b.abs() * half.y;
+        let size = a.abs() * middle.x.abs() + b.abs() * middle.y.abs() + c.abs() + reach;
+        (a * middle.x + b * middle.y + c).abs() <= reach + rounding(size)
+    }
+
+    /// Whether the outline holds a point.
+    fn holds(&self, p: Vec2) -> bool {
+        let [least, most] = self.corners;
+        p.cmpge(least).all() && p.cmple(most).all() && surround(&self.pieces, p)
     }
 
     fn size(&self) -> f64 {
@@ -121,19 +152,14 @@ impl Prism {
 
 impl Shape for Prism {
     fn bounds(&self) -> Aabb {
-        let low = self.pieces.iter().fold(Vec2::INFINITY, |m, p| m.min(p.min));
-        let high = self.pieces.iter().fold(Vec2::NEG_INFINITY, |m, p| m.max(p.max));
-        let section = |y: f64, k: f64| {
-            Aabb::new(Vec3::new(k * low.x, y, k * low.y), Vec3::new(k * high.x, y, k * high.y))
-        };
-        match self.sweep {
-            Sweep::Linear => section(self.low, 1.0).union(section(self.high, 1.0)),
-            Sweep::Conic => section(self.low, self.low).union(section(self.high, self.high)),
-        }
+        self.bounds
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.visit(ray, range, |c| out.push(c));
+        self.visit(ray, range, |c| {
+            out.push(c);
+            f64::INFINITY
+        });
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
@@ -142,13 +168,14 @@ impl Shape for Prism {
             if best.is_none_or(|b| c.t <= b.t) {
                 best = Some(c);
             }
+            best.map_or(c.t, |b| b.t)
         });
         best
     }
 
     fn contains(&self, p: Vec3) -> bool {
         let margin = COINCIDENT * (self.high - self.low);
-        p.y >= self.low - margin && p.y < self.high - margin && surround(&self.pieces, self.section(p))
+        p.y >= self.low - margin && p.y < self.high - margin && self.holds(self.section(p))
     }
 
     fn normal(&self, p: Vec3, crossing: &Crossing) -> Vec3 {

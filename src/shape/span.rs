@@ -1,7 +1,7 @@
 //! Intervals of a line inside simple convex regions, and the crossings at their ends.
 
 use super::Crossing;
-use crate::math::{EPSILON, Range};
+use crate::math::{Aabb, EPSILON, Range, Ray};
 
 /// An interval of ray parameters with the part of the surface at each end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +49,20 @@ impl Span {
 #[inline]
 pub(super) fn tie(a: f64, b: f64) -> f64 {
     if a.is_finite() && b.is_finite() { 8.0 * EPSILON * a.abs().max(b.abs()) } else { 0.0 }
+}
+
+/// The part of `range` in which a ray may be inside a box: never less than that, more by a few roundings.
+#[inline(always)]
+pub(super) fn within(ray: &Ray, range: Range, bounds: &Aabb) -> Option<Range> {
+    let inverse = ray.dir.recip();
+    let size = ray.origin.abs() + bounds.min.abs().max(bounds.max.abs());
+    let pad = 4.0 * EPSILON * size + f64::MIN_POSITIVE;
+    let low = (bounds.min - pad - ray.origin) * inverse;
+    let high = (bounds.max + pad - ray.origin) * inverse;
+    let (near, far) = (low.min(high).max_element(), low.max(high).min_element());
+    let near = (near - 4.0 * EPSILON * near.abs()).max(range.min);
+    let far = (far + 4.0 * EPSILON * far.abs()).min(range.max);
+    (near <= far).then(|| Range::new(near, far))
 }
 
 /// Where a coordinate that starts at `origin` and changes by `speed` lies in `min..=max`.

@@ -7,7 +7,10 @@
 //! Evaluated as `g(g(|x|, |y|; 2/e), |z|; 2/n) - 1` with `g(a, b; k) = (a^k + b^k)^(1/k)`, which grows like
 //! the distance from the origin: its gradient along p is g itself.
 //!
-//! Numerical care: the ray's stretch inside the cube is cut at the nine planes x=0, y=0, z=0, x=±y, x=±z,
+//! Where both exponents are at most 2 the function bends upwards along every line, and Newton's method from outside
+//! goes to the crossing without ever passing it; it meets a slope that does not fall where there is none.
+//!
+//! Numerical care: else the ray's stretch inside the cube is cut at the nine planes x=0, y=0, z=0, x=±y, x=±z,
 //! y=±z, between which the function bends one way only unless just one of the exponents is above 2; then
 //! the stretches are cut further. A sign change is refined to the last bits; where
 //! both ends have one sign, the stationary point between them, if there is one, decides.
@@ -28,8 +31,20 @@ pub struct Superellipsoid {
 const MARGIN: f64 = 1e-6;
 /// Into how many parts a stretch is cut on which the function may bend both ways.
 const MIXED_PIECES: u32 = 8;
+/// Tangents after which a crossing is sought by halving: a line that all but touches.
+const MAX_TANGENTS: usize = 24;
 /// Halvings and secant steps until a bracket is down to rounding.
 const MAX_STEPS: usize = 100;
+
+/// What Newton's method finds on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Tangents {
+    Crossing(f64),
+    Miss,
+    /// It starts inside.
+    Inside,
+    Unclear,
+}
 
 /// `(a^k + b^k)^(1/k)` and its derivatives by a and b, for numbers that are not negative.
 fn norm(a: f64, b: f64, k: f64) -> (f64, f64, f64) {
@@ -62,10 +77,15 @@ impl Superellipsoid {
     }
 
     fn gradient(&self, p: Vec3) -> Vec3 {
+        self.value_and_gradient(p).1
+    }
+
+    #[inline(always)]
+    fn value_and_gradient(&self, p: Vec3) -> (f64, Vec3) {
         let a = p.abs();
         let (rim, by_x, by_y) = norm(a.x, a.y, self.flat);
-        let (_, by_rim, by_z) = norm(rim, a.z, self.tall);
-        Vec3::new(by_rim * by_x, by_rim * by_y, by_z) * p.signum()
+        let (g, by_rim, by_z) = norm(rim, a.z, self.tall);
+        (g - 1.0, Vec3::new(by_rim * by_x, by_rim * by_y, by_z) * p.signum())
     }
 
     fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
@@ -75,7 +95,24 @@ impl Superellipsoid {
             return;
         }
         if self.flat >= 1.0 && self.tall >= 1.0 {
-            return self.visit_convex(ray, (enter, leave), |t| !range.contains(t) || found(t));
+            let mut done = 0;
+            match self.by_tangents(ray, enter, leave) {
+                Tangents::Miss => return,
+                Tangents::Crossing(t) if range.contains(t) && !found(t) => return,
+                Tangents::Crossing(_) => done = 1,
+                Tangents::Inside | Tangents::Unclear => {}
+            }
+            match self.by_tangents(ray, leave, enter) {
+                Tangents::Crossing(t) if done == 1 || self.value(ray.at(enter)) < 0.0 => {
+                    let _ = range.contains(t) && found(t);
+                }
+                Tangents::Inside if done == 1 => {}
+                _ => self.visit_convex(ray, (enter, leave), |t| {
+                    done -= 1;
+                    done >= 0 || !range.contains(t) || found(t)
+                }),
+            }
+            return;
         }
         let mut left = (enter, self.value(ray.at(enter)));
         // With one exponent round and one star-like the function may bend both ways between two planes.
@@ -92,6 +129,32 @@ impl Superellipsoid {
                 left = right;
             }
         }
+    }
+
+    /// Newton's method from `from`, on the way to `to`, for a function that bends upwards only: it stays above its
+    /// tangents, so steps never pass the crossing.
+    fn by_tangents(&self, ray: &Ray, from: f64, to: f64) -> Tangents {
+        let side = (to - from).signum();
+        let mut t = from;
+        for step in 0..MAX_TANGENTS {
+            let (f, gradient) = self.value_and_gradient(ray.at(t));
+            let slope = side * gradient.dot(ray.dir);
+            if f < 0.0 {
+                return if step == 0 { Tangents::Inside } else { Tangents::Crossing(t) };
+            }
+            if slope >= 0.0 {
+                return Tangents::Miss;
+            }
+            let next = t - side * f / slope;
+            if !((next - to) * side < 0.0) {
+                return if next.is_nan() { Tangents::Unclear } else { Tangents::Miss };
+            }
+            if (next - t).abs() <= 2.0 * EPSILON * (1.0 + t.abs()) {
+                return Tangents::Crossing(next);
+            }
+            t = next;
+        }
+        Tangents::Unclear
     }
 
     /// Where both exponents make norms the function bends one way only: there is one minimum along a line, and

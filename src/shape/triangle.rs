@@ -48,6 +48,7 @@ impl Shear {
     }
 
     /// A point relative to the ray's origin, seen along the ray.
+    #[inline(always)]
     pub fn project(&self, p: Vec3) -> Vec2 {
         let depth = p[self.axes[2]];
         Vec2::new(p[self.axes[0]] - self.slope.x * depth, p[self.axes[1]] - self.slope.y * depth)
@@ -76,13 +77,14 @@ impl Shear {
     }
 
     /// The weights of the corners (relative to the ray's origin) where the ray passes, if it passes inside.
+    #[inline]
     pub fn weights(&self, corners: [Vec3; 3]) -> Option<Vec3> {
-        let [a, b, c] = corners.map(|p| self.project(p));
-        Self::inside(a, b, c)
+        let [a, b, c] = corners;
+        Self::inside(self.project(a), self.project(b), self.project(c))
     }
 
     #[inline(always)]
-    fn inside(a: Vec2, b: Vec2, c: Vec2) -> Option<Vec3> {
+    pub fn inside(a: Vec2, b: Vec2, c: Vec2) -> Option<Vec3> {
         let (u, v) = (c.perp_dot(b), a.perp_dot(c));
         if (u < 0.0 && v > 0.0) || (u > 0.0 && v < 0.0) {
             return None;

@@ -15,7 +15,7 @@
 
 mod extent;
 
-use super::span::slab;
+use super::span::within;
 use super::{COINCIDENT, Crossing, Shape, rounding};
 use crate::math::polynomial::{self, Touching};
 use crate::math::{Aabb, Range, Ray, Vec3};
@@ -177,7 +177,9 @@ impl Algebraic {
             |v, axis| v.times(p[axis], d[axis]),
             |v, w| {
                 v.count = v.count.max(w.count);
-                v.terms[..w.count].iter_mut().zip(&w.terms[..w.count]).for_each(|(a, b)| *a += b);
+                for k in 0..if N <= 5 { N } else { w.count } {
+                    v.terms[k] += w.terms[k];
+                }
             },
             |v, c| {
                 v.terms[0] += c;
@@ -199,7 +201,8 @@ impl Algebraic {
         let p = ray.at(shift);
         let range = Range::new(range.min - shift, range.max - shift);
         Some(match self.order {
-            0..=4 => solve(shift, self.along::<5>(p, ray.dir).slice(), range),
+            0..=3 => solve(shift, self.along::<4>(p, ray.dir).slice(), range),
+            4 => solve(shift, self.along::<5>(p, ray.dir).slice(), range),
             5..=8 => solve(shift, self.along::<9>(p, ray.dir).slice(), range),
             _ => solve(shift, self.along::<{ Self::MAX_ORDER + 1 }>(p, ray.dir).slice(), range),
         })
@@ -210,13 +213,7 @@ impl Algebraic {
         if !self.bounds.is_finite() {
             return Some(range);
         }
-        let (mut min, mut max) = (range.min, range.max);
-        for axis in 0..3 {
-            let (near, far) =
-                slab(ray.origin[axis], ray.dir[axis], self.bounds.min[axis], self.bounds.max[axis])?;
-            (min, max) = (min.max(near), max.min(far));
-        }
-        (min < max).then(|| Range::new(min, max))
+        within(ray, range, &self.bounds)
     }
 }
 
@@ -224,10 +221,8 @@ impl<const N: usize> Univariate<N> {
     /// Times `a + b t`.
     #[inline(always)]
     fn times(&mut self, a: f64, b: f64) {
-        if self.count == 0 {
-            return;
-        }
-        let n = self.count.min(N - 1);
+        // Short ones are multiplied as a whole, without a look at their length.
+        let n = if N <= 5 { N - 1 } else { self.count.min(N - 1) };
         for k in (1..=n).rev() {
             self.terms[k] = self.terms[k] * a + self.terms[k - 1] * b;
         }

@@ -61,85 +61,121 @@ impl Blocks {
         self.levels.iter().map(|l| l.ranges.capacity() * size_of::<(u16, u16)>()).sum()
     }
 
-    /// Calls `visit(column, row, max)` with the cells that the ray may meet inside `range`, nearer blocks
-    /// first. `visit` returns the new `max`.
-    pub fn traverse(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, usize, f64) -> f64) {
+    /// Calls `visit(column, row, max)` with the cells that the ray (in cells and units of height) may meet
+    /// inside `range`, nearer blocks first. `visit` returns the new `max`; `heights` are those of a cell.
+    pub fn traverse(
+        &self,
+        ray: &Ray,
+        range: Range,
+        heights: impl Fn(usize, usize) -> (u16, u16),
+        mut visit: impl FnMut(usize, usize, f64) -> f64,
+    ) {
         let mut max = range.max;
         let walk = Walk::new(self, ray);
-        let mut stack: SmallVec<[(u32, u32, u32); 64]> = SmallVec::new();
-        stack.push((self.levels.len() as u32, 0, 0));
-        while let Some((level, i, j)) = stack.pop() {
-            let (i, j) = (i as usize, j as usize);
-            if level > 0 {
-                let below = &self.levels[level as usize - 1];
-                let heights = below.ranges[j * below.columns + i];
-                if !walk.may_meet(level, i, j, heights, Range::new(range.min, max)) {
-                    continue;
+        let mut stack: SmallVec<[Block; 64]> = SmallVec::new();
+        stack.push(Block { level: self.levels.len() as u32, i: 0, j: 0, near: range.min });
+        while let Some(block) = stack.pop() {
+            if block.near > max {
+                continue;
+            }
+            if block.level == 0 {
+                max = max.min(visit(block.i as usize, block.j as usize, max));
+            } else {
+                let within = Range::new(range.min, max);
+                if block.level == 1 {
+                    walk.divide(block, within, &heights, &mut stack);
+                } else {
+                    let parts = &self.levels[block.level as usize - 2];
+                    walk.divide(block, within, |i, j| parts.ranges[j * parts.columns + i], &mut stack);
                 }
-                let (columns, rows) = match level {
-                    1 => (self.columns, self.rows),
-                    _ => {
-                        let inner = &self.levels[level as usize - 2];
-                        (inner.columns, inner.rows())
-                    }
-                };
-                for (di, dj) in walk.far_to_near() {
-                    let (ci, cj) = (2 * i + di, 2 * j + dj);
-                    if ci < columns && cj < rows {
-                        stack.push((level - 1, ci as u32, cj as u32));
-                    }
-                }
-            } else if walk.may_meet(0, i, j, (0, u16::MAX), Range::new(range.min, max)) {
-                max = max.min(visit(i, j, max));
             }
         }
     }
+}
+
+/// A block that is still to be looked at, and where the ray comes into it at the earliest.
+#[derive(Clone, Copy)]
+struct Block {
+    level: u32,
+    i: u32,
+    j: u32,
+    near: f64,
 }
 
 /// A ray in the coordinates of cells and heights.
 struct Walk {
     origin: Vec3,
+    dir: Vec3,
     inverse: Vec3,
     /// Bound on the rounding of a coordinate.
     slack: Vec3,
     columns: usize,
     rows: usize,
+    /// The part of a block that the ray comes to last, along both axes.
+    last: [usize; 2],
 }
+
+/// Bound on the relative rounding of a distance.
+const ROUNDING: f64 = 8.0 * EPSILON;
 
 impl Walk {
     fn new(blocks: &Blocks, ray: &Ray) -> Self {
         let scale = Vec3::new(blocks.columns as f64, UNIT, blocks.rows as f64);
-        let origin = ray.origin * scale;
-        let slack = 16.0 * EPSILON * (origin.abs() + scale);
-        Self { origin, inverse: (ray.dir * scale).recip(), slack, columns: blocks.columns, rows: blocks.rows }
+        let slack = 16.0 * EPSILON * (ray.origin.abs() + scale);
+        let inverse = ray.dir.recip();
+        let last = [usize::from(inverse.x >= 0.0), usize::from(inverse.z >= 0.0)];
+        let (columns, rows) = (blocks.columns, blocks.rows);
+        Self { origin: ray.origin, dir: ray.dir, inverse, slack, columns, rows, last }
     }
 
-    /// Whether the ray may pass the box of a block.
-    fn may_meet(&self, level: u32, i: usize, j: usize, heights: (u16, u16), range: Range) -> bool {
-        let high_i = ((i + 1) << level).min(self.columns);
-        let high_j = ((j + 1) << level).min(self.rows);
-        let low = Vec3::new((i << level) as f64, f64::from(heights.0), (j << level) as f64) - self.slack;
-        let high = Vec3::new(high_i as f64, f64::from(heights.1), high_j as f64) + self.slack;
-        let (mut near, mut far) = (range.min, range.max);
-        for axis in 0..3 {
-            let (a, b) = (low[axis] - self.origin[axis], high[axis] - self.origin[axis]);
-            if self.inverse[axis].is_infinite() {
-                if a > 0.0 || b < 0.0 {
-                    return false;
-                }
+    /// Where the ray is between the planes at `low`, `middle` and `high` across an axis: from, to for both halves.
+    #[inline(always)]
+    fn halves(&self, axis: usize, low: usize, middle: usize, high: usize) -> [(f64, f64); 2] {
+        let (origin, inverse, slack) = (self.origin[axis], self.inverse[axis], self.slack[axis]);
+        let below = |plane: usize| (plane as f64 - slack - origin) * inverse;
+        let above = |plane: usize| (plane as f64 + slack - origin) * inverse;
+        let ordered = |a: f64, b: f64| (a.min(b), a.max(b));
+        [ordered(below(low), above(middle)), ordered(below(middle), above(high))]
+    }
+
+    /// Puts those of a block's four parts on the stack that the ray may pass, the farthest first.
+    #[inline(always)]
+    fn divide(
+        &self,
+        block: Block,
+        range: Range,
+        heights: impl Fn(usize, usize) -> (u16, u16),
+        stack: &mut SmallVec<[Block; 64]>,
+    ) {
+        let (level, i, j) = (block.level - 1, 2 * block.i as usize, 2 * block.j as usize);
+        let x = [i, i + 1, i + 2].map(|k| (k << level).min(self.columns));
+        let z = [j, j + 1, j + 2].map(|k| (k << level).min(self.rows));
+        let along_x = self.halves(0, x[0], x[1], x[2]);
+        let along_z = self.halves(2, z[0], z[1], z[2]);
+        let [a, b] = self.last;
+        for (di, dj) in [(a, b), (1 - a, b), (a, 1 - b), (1 - a, 1 - b)] {
+            if x[di] >= self.columns || z[dj] >= self.rows {
                 continue;
             }
-            let (t0, t1) = (a * self.inverse[axis], b * self.inverse[axis]);
-            near = near.max(t0.min(t1));
-            far = far.min(t0.max(t1));
+            let near = along_x[di].0.max(along_z[dj].0).max(range.min);
+            let far = along_x[di].1.min(along_z[dj].1).min(range.max);
+            if near > far + ROUNDING * near.abs().max(far.abs()) {
+                continue;
+            }
+            if !self.may_reach(heights(i + di, j + dj), near, far) {
+                continue;
+            }
+            stack.push(Block { level, i: (i + di) as u32, j: (j + dj) as u32, near });
         }
-        near <= far + 8.0 * EPSILON * near.abs().max(far.abs())
     }
 
-    /// The four parts of a block, the one that the ray leaves last first.
-    fn far_to_near(&self) -> [(usize, usize); 4] {
-        let x = usize::from(self.inverse.x < 0.0);
-        let z = usize::from(self.inverse.z < 0.0);
-        [(1 - x, 1 - z), (x, 1 - z), (1 - x, z), (x, z)]
+    /// Whether the ray's heights between two distances may be among those of a block.
+    #[inline(always)]
+    fn may_reach(&self, heights: (u16, u16), near: f64, far: f64) -> bool {
+        let (a, b) = (near * self.dir.y, far * self.dir.y);
+        let slack = self.slack.y + ROUNDING * (a.abs() + b.abs());
+        let low = self.origin.y + a.min(b) - slack;
+        let high = self.origin.y + a.max(b) + slack;
+        !(low > f64::from(heights.1) || high < f64::from(heights.0))
     }
 }

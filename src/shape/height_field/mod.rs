@@ -66,6 +66,19 @@ impl Grid {
         Vec3::new(i as f64 / columns as f64, h, j as f64 / rows as f64)
     }
 
+    /// In cells and steps of height: the corners that the lower triangle has first, then the other one's.
+    #[inline(always)]
+    fn cell_corners(&self, i: usize, j: usize) -> [Vec3; 4] {
+        let (x, z, first) = (i as f64, j as f64, j * self.width + i);
+        let h = |n: usize| f64::from(self.samples[n]);
+        [
+            Vec3::new(x, h(first), z),
+            Vec3::new(x + 1.0, h(first + 1), z),
+            Vec3::new(x, h(first + self.width), z + 1.0),
+            Vec3::new(x + 1.0, h(first + self.width + 1), z + 1.0),
+        ]
+    }
+
     /// Corners of the lower or the upper triangle of a cell.
     fn triangle(&self, i: usize, j: usize, upper: bool) -> [Vec3; 3] {
         let (right, far) = (self.vertex(i + 1, j), self.vertex(i, j + 1));
@@ -100,8 +113,9 @@ impl Grid {
 
     /// Least and greatest height of a cell.
     fn cell_range(&self, i: usize, j: usize) -> (u16, u16) {
-        let h = [self.sample(i, j), self.sample(i + 1, j), self.sample(i, j + 1), self.sample(i + 1, j + 1)];
-        h.iter().fold((u16::MAX, 0), |(low, high), &v| (low.min(v), high.max(v)))
+        let (a, b) = (self.sample(i, j), self.sample(i + 1, j));
+        let (c, d) = (self.sample(i, j + 1), self.sample(i + 1, j + 1));
+        (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)))
     }
 }
 
@@ -148,15 +162,21 @@ impl HeightField {
     }
 
     fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
-        let shear = Shear::new(ray.dir);
         let grid = &self.grid;
-        grid.blocks.traverse(ray, range, |i, j, max| {
+        // Between samples 1 apart: corners are whole numbers.
+        let scale = Vec3::new((grid.width - 1) as f64, UNIT, (grid.height - 1) as f64);
+        let local = Ray::new(ray.origin * scale, ray.dir * scale);
+        let shear = Shear::new(local.dir);
+        let heights = |i: usize, j: usize| grid.cell_range(i, j);
+        grid.blocks.traverse(&local, range, heights, |i, j, max| {
             let mut max = max;
-            for upper in [false, true] {
-                let [a, b, c] = grid.triangle(i, j, upper).map(|p| p - ray.origin);
-                let Some(w) = shear.weights([a, b, c]) else { continue };
+            let corners = grid.cell_corners(i, j).map(|p| p - local.origin);
+            let seen = corners.map(|p| shear.project(p));
+            for (upper, [a, b, c]) in [(false, [0, 1, 2]), (true, [3, 2, 1])] {
+                let Some(w) = Shear::inside(seen[a], seen[b], seen[c]) else { continue };
+                let (a, b, c) = (corners[a], corners[b], corners[c]);
                 let normal = (b - a).cross(c - a);
-                let t = normal.dot(a) / normal.dot(ray.dir);
+                let t = normal.dot(a) / normal.dot(local.dir);
                 if t > range.min && t < max && ray.origin.y + t * ray.dir.y >= self.floor {
                     let part = 2 * (j * (grid.width - 1) + i) as u32 + u32::from(upper);
                     max = max.min(found(Crossing { t, part, uv: Vec2::new(w.y, w.z) }));

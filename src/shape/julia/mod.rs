@@ -202,12 +202,14 @@ impl Julia {
         let mut ends = [low, high].map(|t| self.border(ray.at(t)).1);
         let mut last = 2;
         for step in 0..MAX_STEPS {
-            let width = high - low;
-            if width <= 4.0 * EPSILON * self.radius {
+            let (width, least) = (high - low, 2.0 * EPSILON * self.radius);
+            if width <= 2.0 * least {
                 break;
             }
             let guess = match ends {
-                [Some(a), Some(b)] if step % 4 != 3 && a * b < 0.0 => low + width * (a / (a - b)),
+                [Some(a), Some(b)] if step % 8 != 7 && a * b < 0.0 => {
+                    (low + width * (a / (a - b))).clamp(low + least, high - least)
+                }
                 _ => f64::NAN,
             };
             let middle = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
