@@ -39,7 +39,7 @@ impl Torus {
     fn distances(&self, ray: &Ray, range: Range) -> Roots {
         let Some((enter, leave)) = self.stretch(ray) else { return Roots::new() };
         let range = Range::new(range.min.max(enter), range.max.min(leave));
-        if range.min >= range.max {
+        if range.min >= range.max || self.is_missed(ray, enter, leave) {
             return Roots::new();
         }
         let reach = self.major.abs() + self.minor;
@@ -62,6 +62,25 @@ impl Torus {
             span = (span.0.max(near), span.1.min(far));
         }
         (span.0 < span.1).then_some(span)
+    }
+
+    /// Whether the line goes through the hole or past the rim on its stretch through the box: the squared
+    /// distance from the axis is largest at an end of the stretch, and least where its slope is zero.
+    fn is_missed(&self, ray: &Ray, enter: f64, leave: f64) -> bool {
+        const SLACK: f64 = 1e-6;
+        let square = |t: f64| {
+            let (x, z) = (ray.origin.x + t * ray.dir.x, ray.origin.z + t * ray.dir.z);
+            x * x + z * z
+        };
+        let major = self.major.abs();
+        let hole = (major - self.minor - SLACK * major).max(0.0);
+        if square(enter).max(square(leave)) < hole * hole {
+            return true;
+        }
+        let slope = ray.dir.x * ray.dir.x + ray.dir.z * ray.dir.z;
+        let nearest = -(ray.origin.x * ray.dir.x + ray.origin.z * ray.dir.z) / slope;
+        let rim = (major + self.minor) * (1.0 + SLACK);
+        square(nearest.clamp(enter, leave)) > rim * rim
     }
 
     /// Lowest power first, for a unit direction.
@@ -141,6 +160,27 @@ mod tests {
             assert!((x - e).abs() < 1e-13, "{xs:?}");
         }
         assert_eq!(xs.len(), 4);
+    }
+
+    /// Lines that a box lets through are left out only where the quartic has no root either.
+    #[test]
+    fn no_crossing_is_left_out() {
+        let mut random = crate::math::random::Lcg::new(5);
+        let mut part = || f64::from(random.draw()) / 16383.5 - 1.0;
+        let t = Torus::new(2.0, 0.3);
+        let (mut left_out, mut met) = (0, 0);
+        for _ in 0..20_000 {
+            let origin = Vec3::new(part(), part(), part()) * 3.0;
+            let ray = Ray::new(origin, Vec3::new(part(), part(), part()).normalize_or(Vec3::X));
+            let Some((enter, leave)) = t.stretch(&ray) else { continue };
+            let found = roots(&t.quartic(&ray), Range::new(enter, leave), Touching::Skip);
+            if t.is_missed(&ray, enter, leave) {
+                left_out += 1;
+                assert!(found.is_empty(), "{ray:?} {found:?}");
+            }
+            met += usize::from(!found.is_empty());
+        }
+        assert!(left_out > 1000 && met > 1000, "{left_out} {met}");
     }
 
     #[test]

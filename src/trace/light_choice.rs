@@ -21,14 +21,14 @@ use smallvec::SmallVec;
 const FEW: usize = 4;
 
 /// One light of so many is tested.
-const SHARE: usize = 4;
+const SHARE: usize = 8;
 
 /// What a light would give without shadows.
 struct Offer<'w> {
     source: &'w WorldLight,
     arrival: Arrival,
     behind: bool,
-    /// Brightest component of what the layer would send.
+    /// What the layer would send, about.
     strength: f32,
 }
 
@@ -57,11 +57,11 @@ impl<'w> Tracer<'w> {
                 offers.push(offer);
             }
         }
-        let picks = (offers.len() / SHARE).max(2);
-        if offers.len() <= picks {
+        let picks = (offers.len() / SHARE).max(1);
+        let step = total / picks as f32;
+        if offers.len() <= picks || !(step > f32::MIN_POSITIVE) {
             return offers.iter().map(|o| self.taken(site, look, o)).sum();
         }
-        let step = total / picks as f32;
         let mut next = step * self.random.draw() as f32;
         let (mut sum, mut passed) = (Rgb::ZERO, 0.0);
         for offer in &offers {
@@ -78,13 +78,14 @@ impl<'w> Tracer<'w> {
         sum
     }
 
-    fn offer(&mut self, site: &Site, look: &Look, source: &'w WorldLight) -> Option<Offer<'w>> {
+    fn offer(&self, site: &Site, look: &Look, source: &'w WorldLight) -> Option<Offer<'w>> {
         let (light, point) = (&source.light, site.hit.point);
         let towards = light.towards(point, Vec3::ZERO);
         let behind = look.is_lit_from_behind(towards.0, site.hit.double_illuminate)?;
         let arrival = light.arrival_from(point, Vec3::ZERO, towards)?;
-        let answer = self.answer(site, look, towards.0, arrival.color, behind, light.shadowless);
-        let strength = answer.abs().max_element();
+        let share = if behind { look.finish.diffuse_back } else { look.finish.diffuse };
+        let cosine = look.normal.dot(towards.0).abs() as f32;
+        let strength = arrival.color.abs().max_element() * (cosine * share.abs());
         (strength > 0.0).then_some(Offer { source, arrival, behind, strength })
     }
 

@@ -16,8 +16,8 @@ pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
     /// Coordinates once more, by axis: a search reads many and keeps few.
     places: [Vec<f32>; 3],
-    /// Whether a photon stands on the wrong side of a plane in its part.
-    astray: Vec<bool>,
+    /// In small parts: which photon's plane, counted from 1, this one stands on the wrong side of.
+    astray: Vec<u8>,
     /// Ranges of the tree, each before those below it, the lower one first.
     parts: Vec<Part>,
 }
@@ -46,6 +46,12 @@ pub struct Nearby {
 
 /// Ranges up to this many photons are looked at one by one.
 const LEAF: usize = 12;
+
+/// The limit does not shrink by more while a small part is looked at, or hardly ever.
+const SURELY: f64 = 0.5;
+
+/// Stands on the wrong side of several planes.
+const OFTEN: u8 = u8::MAX;
 
 /// More halvings than any tree has.
 const DEEPEST: usize = 32;
@@ -88,11 +94,11 @@ impl PhotonMap {
     /// Photons as a file kept them, in the order of the tree already.
     pub fn from_sorted(photons: Vec<PackedPhoton>) -> Self {
         let places = [0, 1, 2].map(|axis| photons.iter().map(|p| p.place[axis]).collect());
-        let (mut parts, mut astray) = (Vec::new(), vec![false; photons.len()]);
+        let (mut parts, mut astray) = (Vec::new(), vec![0; photons.len()]);
         part(&photons, 0, &mut parts);
         for leaf in parts.iter().filter(|p| p.upper == 0) {
             let range = leaf.first as usize..(leaf.first + leaf.count) as usize;
-            find_astray(&photons[range.clone()], &mut astray[range]);
+            find_astray(&photons[range.clone()], 0, &mut astray[range]);
         }
         Self { photons, places, astray, parts }
     }
@@ -193,15 +199,45 @@ impl Search<'_> {
         for (i, square) in squares[..count].iter_mut().enumerate() {
             *square = self.metric.square(self.map.away(first + i, self.metric.point));
         }
-        let near = || squares[..count].iter().enumerate().filter(|(_, s)| **s < self.limit);
-        let overflows = !self.full && self.found.len() + near().count() > self.most;
-        if overflows || near().any(|(i, _)| self.map.astray[first + i]) {
+        let squares = &squares[..count];
+        let near = squares.iter().filter(|&&s| s < self.limit).count();
+        if near == 0 {
+            return;
+        }
+        if !self.full && self.found.len() + near > self.most {
             return self.walk(part.first, part.count);
         }
-        for (i, &square) in squares[..count].iter().enumerate() {
-            if square < self.limit {
+        let mut missed = 0u32;
+        for (i, _) in squares.iter().enumerate().filter(|(_, s)| **s < self.limit) {
+            match self.is_missed(first, i) {
+                Some(skip) => missed |= u32::from(skip) << i,
+                None => return self.walk(part.first, part.count),
+            }
+        }
+        for (i, &square) in squares.iter().enumerate() {
+            if square < self.limit && missed >> i & 1 == 0 {
                 self.take(square, (first + i) as u32);
             }
+        }
+    }
+
+    /// Whether the search passes by photon `i` of the part at `first`, because it is filed on the far side of a
+    /// plane though it stands on the near one. `None` where that hangs on the order.
+    #[inline]
+    fn is_missed(&self, first: usize, i: usize) -> Option<bool> {
+        let plane = match self.map.astray[first + i] {
+            0 => return Some(false),
+            OFTEN => return None,
+            n => usize::from(n) - 1,
+        };
+        let axis = split_axis(&self.map.photons[first + plane]);
+        let along = f64::from(self.map.places[axis][first + plane]) - self.metric.point[axis];
+        let is_far = (along > 0.0) == (i > plane);
+        let square = along * along;
+        match is_far && square >= SURELY * self.limit {
+            false => Some(false),
+            true if square >= self.limit || !self.full => Some(square >= self.limit),
+            true => None,
         }
     }
 
@@ -264,8 +300,9 @@ fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
     parts[at].upper = upper as u32;
 }
 
-/// Marks photons of a small part that stand on the wrong side of a plane in it.
-fn find_astray(photons: &[PackedPhoton], astray: &mut [bool]) {
+/// Marks photons of a small part that stand on the wrong side of a plane in it; `first` is the place in the part
+/// where this range of it begins.
+fn find_astray(photons: &[PackedPhoton], first: u8, astray: &mut [u8]) {
     if photons.len() < 2 {
         return;
     }
@@ -273,11 +310,13 @@ fn find_astray(photons: &[PackedPhoton], astray: &mut [bool]) {
     let axis = split_axis(&photons[middle]);
     for (i, p) in photons.iter().enumerate() {
         let (at, plane) = (p.place[axis], photons[middle].place[axis]);
-        astray[i] |= if i < middle { at > plane } else { at < plane };
+        if if i < middle { at > plane } else { at < plane } {
+            astray[i] = if astray[i] == 0 { first + middle as u8 + 1 } else { OFTEN };
+        }
     }
     let (low, high) = astray.split_at_mut(middle);
-    find_astray(&photons[..middle], low);
-    find_astray(&photons[middle + 1..], &mut high[1..]);
+    find_astray(&photons[..middle], first, low);
+    find_astray(&photons[middle + 1..], first + middle as u8 + 1, &mut high[1..]);
 }
 
 fn split_axis(photon: &PackedPhoton) -> usize {

@@ -222,7 +222,9 @@ impl Cache {
         while left != 0 {
             let child = &tree.nodes[node.children[left.trailing_zeros() as usize] as usize];
             left &= left - 1;
-            self.visit_children(tree, child, search, visit);
+            if child.present != 0 {
+                self.visit_children(tree, child, search, visit);
+            }
             self.visit_samples(child, search, visit);
         }
     }
