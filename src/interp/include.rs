@@ -1,16 +1,21 @@
 //! `#include`, and the texts behind it.
 
+use super::kept::Kept;
 use super::lookup::Kind;
 use super::options::{IncludeMode, SceneSource};
-use super::stream::{Frame, Source};
+use super::stream::{Frame, Source, link};
 use super::{Parser, Result, embedded};
 use crate::source::{Diagnostic, FileId, Span};
 use crate::syntax::Lexer;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Files are addressed with 32 bits.
 const LARGEST: u64 = u32::MAX as u64;
+
+/// Longer files are split into tokens each time that they are included.
+const LONGEST_KEPT: usize = 1 << 20;
 
 impl Parser {
     /// Opens the scene's own text.
@@ -57,10 +62,34 @@ impl Parser {
         self.check_tables(span)?;
         let file = self.included_file(name, span)?;
         let lexer = self.lexer(file);
-        let frame = Frame::file(lexer, self.blocks.len(), span);
+        let blocks = self.blocks.len();
+        let frame = match self.kept_file(file) {
+            Some(text) => Frame::kept_file(lexer, text, blocks, span),
+            None => Frame::file(lexer, blocks, span),
+        };
         self.enter_frame(frame);
         self.symbols.enter();
         Ok(())
+    }
+
+    /// The tokens of a file that is included again.
+    fn kept_file(&mut self, file: FileId) -> Option<Rc<Kept>> {
+        let before = self.included.insert(file, None);
+        let text = match before? {
+            Some(text) => text,
+            None => {
+                let mut lexer = self.lexer(file);
+                let mut tokens = Vec::new();
+                let is_short = lexer.text().len() <= LONGEST_KEPT;
+                if !(is_short && lexer.fill(&mut self.names, &mut tokens, usize::MAX).ok()?) {
+                    return None;
+                }
+                link(&mut tokens);
+                Rc::new(Kept::new(tokens))
+            }
+        };
+        self.included.insert(file, Some(text.clone()));
+        Some(text)
     }
 
     /// A file of that name, or the embedded text.

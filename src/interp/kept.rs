@@ -2,7 +2,6 @@
 
 use super::evaluate::run;
 use super::program::{Level, Program, compile};
-use super::stream::Source;
 use super::{Parser, parser::Ahead};
 use crate::syntax::{Punct, Tok, Token};
 use std::cell::{Cell, OnceCell};
@@ -50,7 +49,7 @@ impl Parser {
     #[inline]
     pub(super) fn compiled(&mut self, level: Level) -> Option<f64> {
         let frame = self.frames.last()?;
-        if let Source::File { .. } = frame.source {
+        if frame.streams() {
             return None;
         }
         let at = match self.ahead {
@@ -83,7 +82,7 @@ impl Parser {
         }
         let Some(frame) = self.frames.last_mut() else { return false };
         let start = frame.at;
-        if matches!(frame.source, Source::File { .. }) || start + 3 > frame.end {
+        if frame.streams() || start + 3 > frame.end {
             return false;
         }
         let (name, equal) = (frame.text[start].tok, frame.text[start + 1].tok);
@@ -123,7 +122,7 @@ impl Parser {
     #[inline]
     fn accept_kept(&mut self, punct: Punct) -> bool {
         let Some(frame) = self.frames.last_mut() else { return false };
-        if matches!(frame.source, Source::File { .. }) || frame.at >= frame.end {
+        if frame.streams() || frame.at >= frame.end {
             return false;
         }
         let token = frame.text[frame.at];

@@ -3,7 +3,6 @@
 use super::stream::Source;
 use super::{Parser, Result};
 use crate::syntax::{Plain, Punct, Tok};
-use std::rc::Rc;
 
 /// Most numbers behind a vector of a list.
 const MOST_NUMBERS: usize = 3;
@@ -91,7 +90,7 @@ impl Parser {
     fn plain(&mut self, read: impl FnOnce(&mut Plain) -> usize) -> Result<usize> {
         let Some(start) = self.file_position()? else { return Ok(0) };
         let Some(frame) = self.frames.last_mut() else { return Ok(0) };
-        let Source::File { lexer, done } = &mut frame.source else { return Ok(0) };
+        let Source::File { lexer, .. } = &frame.source else { return Ok(0) };
         let text = lexer.text().clone();
         let mut plain = Plain::new(&text, start);
         let taken = read(&mut plain);
@@ -99,12 +98,7 @@ impl Parser {
         if end == start {
             return Ok(taken);
         }
-        lexer.seek(end);
-        *done = false;
-        if let Some(kept) = Rc::get_mut(&mut frame.text) {
-            kept.tokens.clear();
-        }
-        (frame.at, frame.end) = (0, 0);
+        frame.read_from(end);
         self.last.start = end as u32 - 1;
         self.last.end = end as u32;
         self.take_ahead();

@@ -1,4 +1,5 @@
 use super::directives::Block;
+use super::kept::Kept;
 use super::messages::Messages;
 use super::options::Options;
 use super::stream::Frame;
@@ -13,6 +14,7 @@ use crate::source::{Diagnostic, FileId, Files, Span};
 use crate::syntax::{Directive, Interner, Keyword, Punct, Symbol, Tok, Token};
 use std::collections::HashMap;
 use std::path::PathBuf;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The grammar's view of the text: tokens with directives carried out and macros expanded.
@@ -43,6 +45,8 @@ pub struct Parser {
     pub(super) camera_given: bool,
     /// Files read so far.
     pub(super) loaded: HashMap<PathBuf, FileId>,
+    /// Files included so far, with the tokens of those that came more than once.
+    pub(super) included: HashMap<FileId, Option<Rc<Kept>>>,
     /// Images read so far.
     pub(super) images: Vec<super::grammar::LoadedImage>,
     /// What is said when a name is used.
@@ -114,6 +118,7 @@ impl Parser {
             spoken: false,
             camera_given: false,
             loaded: HashMap::new(),
+            included: HashMap::new(),
             images: Vec::new(),
             deprecated: HashMap::new(),
             passes: 0,

@@ -12,7 +12,7 @@ const BATCH: usize = 256;
 /// One text being read.
 #[derive(Debug)]
 pub(super) struct Frame {
-    /// For files the tokens at hand, else the whole kept text.
+    /// For files that are read for the first time the tokens at hand, else the whole text.
     pub text: Rc<Kept>,
     pub at: usize,
     pub end: usize,
@@ -29,6 +29,8 @@ pub(super) enum Source {
         lexer: Lexer,
         /// Whether `tokens` hold all that is left.
         done: bool,
+        /// Whether the text is the whole file's, kept from an earlier time.
+        kept: bool,
     },
     /// A loop of a file.
     Loop,
@@ -39,8 +41,14 @@ pub(super) enum Source {
 
 impl Frame {
     pub fn file(lexer: Lexer, blocks: usize, call: Span) -> Self {
-        let source = Source::File { lexer, done: false };
+        let source = Source::File { lexer, done: false, kept: false };
         Self { text: Rc::default(), at: 0, end: 0, source, blocks, call }
+    }
+
+    /// A file whose tokens are known.
+    pub fn kept_file(lexer: Lexer, text: Rc<Kept>, blocks: usize, call: Span) -> Self {
+        let end = text.tokens.len();
+        Self { text, at: 0, end, source: Source::File { lexer, done: true, kept: true }, blocks, call }
     }
 
     pub fn kept(text: Rc<Kept>, range: (usize, usize), source: Source, blocks: usize, call: Span) -> Self {
@@ -54,6 +62,24 @@ impl Frame {
 
     fn is_file(&self) -> bool {
         matches!(self.source, Source::File { .. })
+    }
+
+    /// Whether tokens come and go: then nothing can be told by where they stand.
+    #[inline]
+    pub fn streams(&self) -> bool {
+        matches!(self.source, Source::File { kept: false, .. })
+    }
+
+    /// Goes on reading the file's text at byte `at`.
+    pub fn read_from(&mut self, at: usize) {
+        let Source::File { lexer, done, kept } = &mut self.source else { return };
+        lexer.seek(at);
+        (*done, *kept) = (false, false);
+        match Rc::get_mut(&mut self.text) {
+            Some(text) => text.tokens.clear(),
+            None => self.text = Rc::default(),
+        }
+        (self.at, self.end) = (0, 0);
     }
 
     pub fn file_id(&self) -> Option<FileId> {
@@ -111,14 +137,14 @@ impl Parser {
 
     fn refill_frame(&mut self, index: usize) -> Result<bool> {
         let frame = &mut self.frames[index];
-        let Source::File { lexer, done } = &mut frame.source else { return Ok(false) };
-        // The tokens of a file are never shared: kept text is copied out of them.
-        let Some(Kept { tokens, .. }) = Rc::get_mut(&mut frame.text) else { return Ok(false) };
-        tokens.clear();
-        (frame.at, frame.end) = (0, 0);
+        let Source::File { lexer, done, .. } = &mut frame.source else { return Ok(false) };
         if *done {
             return Ok(false);
         }
+        // Tokens that come and go are never shared: kept text is copied out of them.
+        let Some(Kept { tokens, .. }) = Rc::get_mut(&mut frame.text) else { return Ok(false) };
+        tokens.clear();
+        (frame.at, frame.end) = (0, 0);
         *done = lexer.fill(&mut self.names, tokens, BATCH)?;
         frame.end = tokens.len();
         Ok(frame.end > 0)
@@ -255,15 +281,11 @@ impl Parser {
     /// Goes on behind `span`, if the innermost text is that file.
     fn seek_file(&mut self, span: Span) -> bool {
         let Some(frame) = self.frames.last_mut() else { return false };
-        let Source::File { lexer, done } = &mut frame.source else { return false };
-        let Some(Kept { tokens, .. }) = Rc::get_mut(&mut frame.text) else { return false };
+        let Source::File { lexer, kept: false, .. } = &frame.source else { return false };
         if lexer.file() != span.file {
             return false;
         }
-        lexer.seek(span.end as usize);
-        *done = false;
-        tokens.clear();
-        (frame.at, frame.end) = (0, 0);
+        frame.read_from(span.end as usize);
         true
     }
 
@@ -305,7 +327,7 @@ fn is_clause(word: Keyword) -> bool {
 }
 
 /// Fills in the targets of every directive in kept text.
-fn link(tokens: &mut [Token]) {
+pub(super) fn link(tokens: &mut [Token]) {
     // The directive whose target comes next, and whether its block has clauses, for each open block.
     let mut open: Vec<(usize, bool)> = Vec::new();
     for at in 0..tokens.len() {

@@ -1,5 +1,6 @@
 //! The language through the real parser.
 
+mod again;
 mod directives;
 mod errors;
 mod functions;

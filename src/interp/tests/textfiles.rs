@@ -3,22 +3,22 @@ use super::super::{Outcome, interpret};
 use std::path::PathBuf;
 
 /// A folder of its own with a scene that stands in it.
-struct Folder(PathBuf);
+pub(super) struct Folder(PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Self {
+    pub(super) fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("glint-textfiles-{}-{name}", std::process::id()));
         std::fs::create_dir_all(&path).unwrap();
         Folder(path)
     }
 
-    fn run(&self, text: &str) -> Outcome {
+    pub(super) fn run(&self, text: &str) -> Outcome {
         let scene = self.0.join("scene.pov");
         std::fs::write(&scene, text).unwrap();
         interpret(SceneSource::Path(scene), &Options { start_version: Some(370), ..Options::default() })
     }
 
-    fn path(&self, name: &str) -> String {
+    pub(super) fn path(&self, name: &str) -> String {
         self.0.join(name).display().to_string()
     }
 
