@@ -149,8 +149,37 @@ impl Parser {
         }
     }
 
-    /// Carries directives out and expands macros until a token for the grammar comes.
+    /// Brings the next token for the grammar.
     fn fetch(&mut self, operand: bool) -> Result<Token> {
+        match self.plain_token() {
+            Some(token) => Ok(token),
+            None => self.fetch_through(operand),
+        }
+    }
+
+    /// The next token, if it is at hand and means what it says.
+    #[inline]
+    fn plain_token(&mut self) -> Option<Token> {
+        if self.has_ahead() {
+            return None;
+        }
+        let frame = self.frames.last_mut()?;
+        let token = *frame.text.tokens[..frame.end].get(frame.at)?;
+        let is_plain = match token.tok {
+            Tok::Number(_) | Tok::String(_) | Tok::Word(_) => true,
+            Tok::Punct(punct) => punct != Punct::Hash,
+            Tok::Identifier(_) | Tok::Directive(_) | Tok::End => false,
+        };
+        is_plain.then(|| {
+            frame.at += 1;
+            self.ahead = Ahead::Ready(token);
+            token
+        })
+    }
+
+    /// Carries directives out and expands macros until a token for the grammar comes.
+    #[inline(never)]
+    fn fetch_through(&mut self, operand: bool) -> Result<Token> {
         loop {
             let token = match self.take_ahead() {
                 Some(token) => token,
