@@ -47,12 +47,13 @@ impl Crackle {
     }
 
     fn root(&self, s: f64) -> f64 {
-        if self.metric == 2.0 {
-            s.sqrt()
-        } else if self.metric == 1.0 {
-            s
-        } else {
-            s.powf(1.0 / self.metric)
+        match 2.0 * self.metric {
+            4.0 => s.sqrt(),
+            2.0 => s,
+            1.0 => s * s,
+            6.0 => s.cbrt(),
+            8.0 => s.sqrt().sqrt(),
+            _ => s.powf(1.0 / self.metric),
         }
     }
 
@@ -241,6 +242,17 @@ mod tests {
             let p = Vec3::new((t * 0.71).sin() * 40.0, t * 0.13 - 2.0, (t * 0.37).cos() * 3.0);
             let plain = Neighbourhood::around(cell(p), |cells| least(cells, p, |d| d * d));
             assert_eq!(Crackle::default().least(p).map(f64::to_bits), plain.map(f64::to_bits), "{p}");
+        }
+    }
+
+    #[test]
+    fn roots_by_other_means_are_the_same() {
+        for metric in [0.5, 1.0, 2.0, 3.0, 4.0, 2.5] {
+            let crackle = Crackle { metric, ..Crackle::default() };
+            for i in 0..50 {
+                let s = f64::from(i) * 0.09;
+                assert!((crackle.root(s) - s.powf(1.0 / metric)).abs() <= 1e-14 * (1.0 + s), "{s} {metric}");
+            }
         }
     }
 

@@ -8,11 +8,14 @@
 //! outside of which the child's answer to "do you contain this point" is known.
 
 use super::geometry::{Found, Geometry, Solid};
-use super::probe::{Probe, Reach};
+use super::probe::{AT_ONCE, Octet, Probe, Reach};
 use super::scratch::Lists;
 use crate::math::bvh::Bvh;
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
 use smallvec::SmallVec;
+
+/// So many boxes are better tested all at once than one by one.
+const SEVERAL: usize = 4;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Op {
@@ -78,6 +81,8 @@ pub(super) struct Compound {
     pub children: Vec<Child>,
     /// Over the children's bounds, when there are many and all are finite.
     pub tree: Option<Bvh>,
+    /// The children's boxes side by side, of unions and merges of several.
+    pub octets: Vec<Octet>,
     /// Only what all of these contain is kept.
     pub clips: Vec<Child>,
     /// A ray that misses one of these, and does not start in it, misses everything.
@@ -106,11 +111,14 @@ impl Compound {
     /// An empty union.
     pub fn nothing() -> Self {
         let (children, clips, gates) = (Vec::new(), Vec::new(), Vec::new());
-        Self { op: Op::Union, children, tree: None, clips, gates, around: None }
+        Self { op: Op::Union, children, tree: None, clips, gates, octets: Vec::new(), around: None }
     }
 
     /// Notes where all of an intersection lies.
     pub fn enclose(&mut self, extent: &Extent) {
+        if self.op != Op::Intersection && self.tree.is_none() && self.children.len() >= SEVERAL {
+            self.octets = Octet::list(self.children.iter().map(|c| c.reach));
+        }
         let unbounded = self.children.iter().any(|c| !c.extent.surface.is_finite());
         if self.op == Op::Intersection && unbounded && !extent.outside && extent.hull.is_finite() {
             self.around = Some(Reach::new(&extent.hull));
@@ -180,12 +188,7 @@ impl Compound {
         if let Some(tree) = &self.tree {
             tree.traverse(probe.ray, range, |i, max| visit(i as usize, max));
         } else {
-            let mut max = range.max;
-            for (i, child) in self.children.iter().enumerate() {
-                if probe.meets(&child.reach, Range::new(range.min, max)) {
-                    max = visit(i, max);
-                }
-            }
+            self.each_met(probe, range, visit);
         }
         best
     }
@@ -376,9 +379,33 @@ impl Compound {
             met.into_iter().for_each(|i| visit(i as usize));
             return;
         }
-        for (i, child) in self.children.iter().enumerate() {
-            if probe.meets(&child.reach, range) {
-                visit(i);
+        self.each_met(probe, range, |i, max| {
+            visit(i);
+            max
+        });
+    }
+
+    /// Calls `visit(child, max)` with each child whose box the ray may meet inside `range`, in order; it
+    /// returns the new `max`.
+    #[inline]
+    fn each_met(&self, probe: &Probe, range: Range, mut visit: impl FnMut(usize, f64) -> f64) {
+        let mut max = range.max;
+        if self.octets.is_empty() {
+            for (i, child) in self.children.iter().enumerate() {
+                if probe.meets(&child.reach, Range::new(range.min, max)) {
+                    max = visit(i, max);
+                }
+            }
+            return;
+        }
+        for (k, octet) in self.octets.iter().enumerate() {
+            let (mut mask, near) = probe.meets_each(octet, Range::new(range.min, max));
+            while mask != 0 {
+                let i = mask.trailing_zeros() as usize;
+                mask &= mask - 1;
+                if f64::from(near[i]) <= max {
+                    max = visit(AT_ONCE * k + i, max);
+                }
             }
         }
     }
