@@ -183,6 +183,24 @@ pub struct OverrideArgs {
     /// Instead of radiosity's count
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1600))]
     pub radiosity_count: Option<u32>,
+    /// Instead of radiosity's error_bound
+    #[arg(long, value_name = "X", value_parser = positive)]
+    pub radiosity_error_bound: Option<f64>,
+    /// Instead of radiosity's recursion_limit
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=20))]
+    pub radiosity_recursion: Option<u32>,
+    /// Instead of radiosity's pretrace_end, up to 1
+    #[arg(long, value_name = "X", value_parser = share)]
+    pub pretrace_end: Option<f64>,
+    /// Photons so many times as far apart as the scene says
+    #[arg(long, value_name = "FACTOR", value_parser = positive)]
+    pub photon_spacing: Option<f64>,
+    /// The most photons of a search, instead of gather's second number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub photon_gather: Option<u32>,
+    /// Instead of the intervals of all media
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub media_intervals: Option<u32>,
     /// The most samples that an interval of a medium gets
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub media_samples: Option<u32>,
@@ -197,6 +215,15 @@ pub enum Gi {
     #[default]
     Scene,
     Reference,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
+    number.ok_or_else(|| "expected a number above 0".to_owned())
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    positive(text).ok().filter(|v| *v <= 1.0).ok_or_else(|| "expected a number above 0, up to 1".to_owned())
 }
 
 fn not_negative(text: &str) -> Result<f32, String> {
@@ -410,7 +437,15 @@ pub enum TradeSetting {
     AdcBailout,
     AreaSamples,
     RadiosityCount,
+    RadiosityErrorBound,
+    RadiosityRecursion,
+    PretraceEnd,
+    PhotonSpacing,
+    PhotonGather,
     MediaSamples,
+    MediaIntervals,
+    /// All of radiosity, photons and media
+    Light,
 }
 
 #[derive(Subcommand, Clone, Debug)]

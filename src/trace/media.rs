@@ -3,6 +3,7 @@
 //! The stretch is cut into intervals, lit and unlit ones; in each the medium is sampled ([`sampling`]);
 //! front to back, what an interval sends is dimmed by the optical depth before it.
 
+use super::Overrides;
 use super::media_sampling::{self as sampling, Plan};
 use super::path::{Departure, Path, Veil};
 use super::tracer::Tracer;
@@ -189,10 +190,8 @@ impl<'w> Tracer<'w> {
         if self.settings.overrides.reference {
             return plan.fine();
         }
-        match self.settings.overrides.media_samples {
-            Some(most) => plan.with_samples(most),
-            None => plan,
-        }
+        let Overrides { media_samples, media_intervals, .. } = self.settings.overrides;
+        plan.with(media_samples, media_intervals)
     }
 
     /// The lights that light the stretch: those that light the object at its end.

@@ -54,9 +54,12 @@ impl Plan {
         Self { intervals, samples: (2, 2), method: 1, ratio: 0.5, has_density: true, ..self }
     }
 
-    /// The same with no more samples than `most`.
-    pub fn with_samples(mut self, most: u32) -> Self {
-        self.samples = (self.samples.0.min(most).max(1), self.samples.1.min(most));
+    /// The same with no more samples than `most`, or with other intervals.
+    pub fn with(mut self, most: Option<u32>, intervals: Option<u32>) -> Self {
+        if let Some(most) = most {
+            self.samples = (self.samples.0.min(most).max(1), self.samples.1.min(most));
+        }
+        self.intervals = intervals.unwrap_or(self.intervals);
         self
     }
 }

@@ -30,6 +30,7 @@ pub use tracer::{Indirect, Tracer};
 
 use crate::math::Vec3;
 pub use crate::picture::Pixel;
+use crate::scene::{PhotonSettings, RadiositySettings};
 use std::sync::Arc;
 
 /// What the caller decides about a picture, apart from the scene.
@@ -58,10 +59,45 @@ pub struct Overrides {
     pub area_samples: Option<u32>,
     /// Rays of a radiosity gather.
     pub radiosity_count: Option<u32>,
+    pub radiosity_error_bound: Option<f64>,
+    pub radiosity_recursion: Option<u32>,
+    pub pretrace_end: Option<f64>,
+    /// Times the scene's own spacing of photons.
+    pub photon_spacing: Option<f64>,
+    /// The most photons of a search.
+    pub photon_gather: Option<u32>,
     /// The most samples that each interval of a medium gets.
     pub media_samples: Option<u32>,
+    pub media_intervals: Option<u32>,
     /// Light by plain Monte Carlo, to hold the scene's own settings against.
     pub reference: bool,
+}
+
+impl Overrides {
+    /// The scene's words about radiosity as they are replaced.
+    fn radiosity(&self, own: &RadiositySettings) -> RadiositySettings {
+        let mut settings = own.clone();
+        settings.count = self.radiosity_count.unwrap_or(own.count).max(1);
+        settings.error_bound = self.radiosity_error_bound.unwrap_or(own.error_bound);
+        settings.recursion_limit = self.radiosity_recursion.unwrap_or(own.recursion_limit);
+        settings.pretrace_end = self.pretrace_end.unwrap_or(own.pretrace_end);
+        settings
+    }
+
+    /// The same for photons. Fewer wanted photons need fewer to be content with.
+    fn photons(&self, own: &PhotonSettings) -> PhotonSettings {
+        let mut settings = own.clone();
+        if let Some(factor) = self.photon_spacing {
+            settings.spacing *= factor;
+            settings.count = (f64::from(settings.count) / (factor * factor)) as u32;
+        }
+        if let Some(most) = self.photon_gather.filter(|_| own.gather_max > 0) {
+            settings.gather_min =
+                (u64::from(own.gather_min) * u64::from(most) / u64::from(own.gather_max)) as u32;
+            settings.gather_max = most;
+        }
+        settings
+    }
 }
 
 impl Default for Settings {

@@ -9,7 +9,7 @@ mod grid;
 pub mod report;
 pub mod sweep;
 
-pub use grid::{Axes, Axis, grid};
+pub use grid::{Axes, Axis, RadiosityAxes, grid};
 
 use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture};
@@ -83,7 +83,13 @@ impl Knobs {
             ("adc_bailout", bailout),
             ("area_samples", o.area_samples.map(f64::from)),
             ("radiosity_count", o.radiosity_count.map(f64::from)),
+            ("radiosity_error_bound", o.radiosity_error_bound),
+            ("radiosity_recursion", o.radiosity_recursion.map(f64::from)),
+            ("pretrace_end", o.pretrace_end),
+            ("photon_spacing", o.photon_spacing),
+            ("photon_gather", o.photon_gather.map(f64::from)),
             ("media_samples", o.media_samples.map(f64::from)),
+            ("media_intervals", o.media_intervals.map(f64::from)),
         ];
         all.into_iter().filter_map(|(what, value)| Some((what, value?)))
     }

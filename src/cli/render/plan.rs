@@ -105,15 +105,19 @@ impl Plan {
 }
 
 fn overrides(args: &OverrideArgs) -> Overrides {
-    let OverrideArgs { trace_level, adc_bailout, area_samples, radiosity_count, media_samples, gi } = *args;
-    let reference = gi == Gi::Reference;
     Overrides {
-        max_trace_level: trace_level,
-        adc_bailout,
-        area_samples,
-        radiosity_count,
-        media_samples,
-        reference,
+        max_trace_level: args.trace_level,
+        adc_bailout: args.adc_bailout,
+        area_samples: args.area_samples,
+        radiosity_count: args.radiosity_count,
+        radiosity_error_bound: args.radiosity_error_bound,
+        radiosity_recursion: args.radiosity_recursion,
+        pretrace_end: args.pretrace_end,
+        photon_spacing: args.photon_spacing,
+        photon_gather: args.photon_gather,
+        media_samples: args.media_samples,
+        media_intervals: args.media_intervals,
+        reference: args.gi == Gi::Reference,
     }
 }
 

@@ -21,6 +21,11 @@ impl Cache {
         Self { folder, fingerprint }
     }
 
+    /// Keeps references of another kind beside each other.
+    pub fn tell_apart(&mut self) {
+        self.fingerprint = !self.fingerprint;
+    }
+
     fn path(&self, size: Size) -> PathBuf {
         let name = format!("{:016x}-{}x{}.reference", self.fingerprint, size.width, size.height);
         self.folder.join(name)

@@ -49,12 +49,13 @@ fn measure(args: &TradeArgs, wall: &Wall) -> Result<Exit, Failure> {
     let size = Size { width: args.width, height: args.height };
     let pool = pool(args.threads.map(usize::from))?;
     let options = Options::new(&args.scene, size.width, size.height)?;
-    let subject = ScenePictures::new(args, options, &pool, *wall)?;
-    let wanted: Vec<Axis> = args.settings.iter().map(|s| axis(*s)).collect();
+    let mut subject = ScenePictures::new(args, options, &pool, *wall)?;
+    let wanted: Vec<Axis> = args.settings.iter().flat_map(|s| axes(*s)).collect();
     let (axes, sampling) = match wanted.is_empty() {
         true => (subject.axes(), true),
         false => (subject.axes().only(&wanted), wanted.contains(&Axis::Sampling)),
     };
+    subject.seek_truth(axes.needs_truth());
     let plan = Plan { size, begin: 0.0, end: args.budget, knobs: grid(&axes, sampling) };
     let say = |text: &str| {
         if !args.quiet {
@@ -90,15 +91,23 @@ fn finish(
     Ok(Exit::Done)
 }
 
-fn axis(setting: TradeSetting) -> Axis {
-    match setting {
+fn axes(setting: TradeSetting) -> Vec<Axis> {
+    let one = match setting {
+        TradeSetting::Light => return Axis::LIGHT.to_vec(),
         TradeSetting::Aa => Axis::Sampling,
         TradeSetting::TraceLevel => Axis::TraceLevel,
         TradeSetting::AdcBailout => Axis::AdcBailout,
         TradeSetting::AreaSamples => Axis::AreaSamples,
         TradeSetting::RadiosityCount => Axis::RadiosityCount,
+        TradeSetting::RadiosityErrorBound => Axis::RadiosityErrorBound,
+        TradeSetting::RadiosityRecursion => Axis::RadiosityRecursion,
+        TradeSetting::PretraceEnd => Axis::PretraceEnd,
+        TradeSetting::PhotonSpacing => Axis::PhotonSpacing,
+        TradeSetting::PhotonGather => Axis::PhotonGather,
         TradeSetting::MediaSamples => Axis::MediaSamples,
-    }
+        TradeSetting::MediaIntervals => Axis::MediaIntervals,
+    };
+    vec![one]
 }
 
 /// The options that make `glint render` read the scene as it was read here.

@@ -14,7 +14,7 @@ use crate::picture::{Encoding, Picture};
 use crate::render::adaptive::{self, Adaptive, Clock, Ended, Outcome};
 use crate::render::{Antialias, Observer, Region, Settings, indirect, render};
 use crate::trace::{self, Tracer};
-use crate::trade::{Axes, Knobs, Reference, Sampling, Size, Subject};
+use crate::trade::{Axes, Knobs, RadiosityAxes, Reference, Sampling, Size, Subject};
 use crate::world::World;
 use std::cell::RefCell;
 use std::sync::{Arc, Mutex};
@@ -31,6 +31,8 @@ pub struct ScenePictures<'a> {
     light: Light,
     gamma: Gamma,
     axes: Axes,
+    /// Whether the reference's light is found by plain Monte Carlo.
+    truth: bool,
     /// The scene as it was read for a size of picture.
     ready: RefCell<(Size, Arc<World>)>,
     failure: RefCell<Option<Failure>>,
@@ -70,6 +72,7 @@ impl<'a> ScenePictures<'a> {
             light: Light::new(gamma),
             gamma,
             axes: axes(&world),
+            truth: false,
             ready: RefCell::new((size, Arc::new(world))),
             failure: RefCell::new(None),
         })
@@ -78,6 +81,14 @@ impl<'a> ScenePictures<'a> {
     /// What there is to be varied.
     pub fn axes(&self) -> Axes {
         self.axes.clone()
+    }
+
+    /// Holds pictures against light found by plain Monte Carlo, or else against the scene's own.
+    pub fn seek_truth(&mut self, truth: bool) {
+        self.truth = truth;
+        if let Some(cache) = self.cache.as_mut().filter(|_| truth) {
+            cache.tell_apart();
+        }
     }
 
     pub fn threads(&self) -> usize {
@@ -180,7 +191,8 @@ impl Subject for ScenePictures<'_> {
         if let Some(kept) = kept.filter(|k| k.rmse <= 1.01 * target) {
             return Some(kept);
         }
-        let tracing = self.sparse(size, trace::Overrides::default());
+        let overrides = trace::Overrides { reference: self.truth, ..trace::Overrides::default() };
+        let tracing = self.sparse(size, overrides);
         // Several samples everywhere, so that little is missed that one sample a pixel would not meet.
         let limits = Adaptive {
             target: Some(target),
@@ -224,12 +236,21 @@ fn axes(world: &World) -> Axes {
     let lights = world.lights.iter().chain(&world.group_lights).filter_map(|l| l.light.area.as_ref());
     let lamps = lights.map(|a| a.size1 * a.size2).max().filter(|&n| n > 1);
     let inside = world.interiors().flat_map(|(_, i)| &i.media);
-    let media = inside.map(|m| m.samples).chain(world.scene.media.iter().map(|m| m.value.samples));
+    let media: Vec<_> = inside.chain(world.scene.media.iter().map(|m| &m.value)).collect();
+    let photons = globals.photons.as_ref().filter(|p| p.gather_max > 0);
     Axes {
         trace_level: goes_on.then_some(globals.max_trace_level),
         adc_bailout: goes_on.then_some(globals.adc_bailout),
         lamps,
-        radiosity_count: globals.radiosity.as_ref().map(|r| r.count),
-        media_samples: media.map(|(least, most)| least.max(most)).max(),
+        radiosity: globals.radiosity.as_ref().map(|r| RadiosityAxes {
+            count: Some(r.count),
+            error_bound: Some(r.error_bound),
+            recursion: Some(r.recursion_limit),
+            pretrace_end: Some(r.pretrace_end),
+        }),
+        photon_spacing: photons.is_some_and(|p| p.load.is_none()),
+        photon_gather: photons.map(|p| p.gather_max),
+        media_samples: media.iter().map(|m| m.samples.0.max(m.samples.1)).max(),
+        media_intervals: media.iter().map(|m| m.intervals.max(1)).max(),
     }
 }

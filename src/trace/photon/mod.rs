@@ -77,7 +77,8 @@ impl<'w> Shooting<'w> {
     /// `None` if the picture has no photons.
     pub fn new(world: &'w World, settings: &Settings) -> Option<Self> {
         let photons = world.scene.globals.photons.clone();
-        let mut photons = photons.filter(|p| settings.quality >= 9 && p.gather_max > 0)?;
+        let photons = photons.filter(|p| settings.quality >= 9 && p.gather_max > 0)?;
+        let mut photons = settings.overrides.photons(&photons);
         if settings.overrides.reference {
             refine(&mut photons);
         }

@@ -86,8 +86,8 @@ pub(super) struct Radiosity {
 
 impl Radiosity {
     pub fn new(world: &World, tracing: &Settings, lighting: Lighting, pretrace: bool) -> Self {
-        let mut settings = world.scene.globals.radiosity.clone().unwrap_or_default();
-        settings.count = tracing.overrides.radiosity_count.unwrap_or(settings.count).max(1);
+        let own = world.scene.globals.radiosity.clone().unwrap_or_default();
+        let settings = tracing.overrides.radiosity(&own);
         let factor = if pretrace { settings.low_error_factor } else { 1.0 };
         Self {
             lighting,

@@ -62,7 +62,7 @@ impl<'w> Pretrace<'w> {
         tiles: impl Iterator<Item = Tile>,
     ) -> Option<Self> {
         let lighting = Lighting::unknown(world, settings).filter(|_| !settings.overrides.reference)?;
-        let radiosity = world.scene.globals.radiosity.clone()?;
+        let radiosity = settings.overrides.radiosity(world.scene.globals.radiosity.as_ref()?);
         let lighting = lighting.with_known(&settings.known_light, &radiosity);
         let pool = lighting.directions.len();
         let next = |serial: usize| vec![first_direction(serial, pool); radiosity.recursion_limit as usize];
