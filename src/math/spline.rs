@@ -54,10 +54,13 @@ impl Spline {
     }
 
     /// Adds a knot of `dimension` components. One at the same `t` is replaced, except that the last of
-    /// several keeps its value, as the reference has it.
+    /// several keeps its value, as the reference has it. One at no number has no place and is left out.
     pub fn insert(&mut self, t: f64, dimension: usize, value: SplineValue) {
         self.dimension = self.dimension.max(dimension);
         self.bends = OnceLock::new();
+        if t.is_nan() {
+            return;
+        }
         let at = self.knots.partition_point(|k| k.t < t);
         let knot = Knot { t, value };
         match self.knots.get(at) {
@@ -137,7 +140,8 @@ impl Spline {
         if n == 1 {
             return each(|i| 0.5 * (self.knots[0].value[i] + self.knots[1].value[i]));
         }
-        if t <= self.knots[1].t {
+        // Also where t is no number, as the reference has it.
+        if !(t > self.knots[1].t) {
             return self.knots[1].value;
         }
         if t >= self.knots[n - 1].t {
@@ -278,5 +282,19 @@ mod tests {
         s.insert(1.0, 5, [1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(s.dimension(), 5);
         assert_eq!(s.value(0.5), [1.0, 1.5, 1.5, 2.0, 2.5]);
+    }
+
+    #[test]
+    fn what_is_no_number_has_no_place() {
+        let corner = |i: usize| std::array::from_fn(|k| if k == i { 1.0 } else { 0.0 });
+        for kind in [SplineKind::Linear, SplineKind::Quadratic, SplineKind::Cubic, SplineKind::Natural] {
+            let mut s = Spline::new(kind);
+            (0..4).for_each(|i| s.insert(i as f64, 3, corner(i)));
+            s.insert(f64::NAN, 3, corner(4));
+            assert_eq!((s.knots.len(), s.value(1.0)), (4, corner(1)));
+            let nowhere = s.value(f64::NAN);
+            // As measured.
+            assert!(if kind == SplineKind::Cubic { nowhere == corner(1) } else { nowhere[0].is_nan() });
+        }
     }
 }
