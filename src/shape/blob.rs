@@ -173,7 +173,8 @@ impl Stretch {
     fn field(&self, t: f64) -> [f64; 5] {
         let m = t - self.middle;
         let k = [self.peak - self.bend * m * m, -2.0 * self.bend * m, -self.bend];
-        product::<3, 3, 5>(k, k).map(|c| self.strength * c)
+        let s = k.map(|c| self.strength * c);
+        product(s, k)
     }
 }
 
@@ -224,9 +225,9 @@ impl Blob {
             Some(tree) => {
                 // From in front of everything.
                 let back = Ray::new(local.at(-self.extent.size().element_sum()), ray.dir);
-                tree.traverse(&back, Range::FORWARD, |i, max| {
+                tree.any(&back, Range::FORWARD, |i| {
                     self.components[i as usize].stretches(&local, &mut stretches);
-                    max
+                    false
                 });
             }
             None => self.components.iter().for_each(|c| c.stretches(&local, &mut stretches)),
@@ -242,14 +243,19 @@ impl Blob {
             return;
         }
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
-        let mut stops: SmallVec<[f64; 32]> = stretches.iter().flat_map(|s| [s.from, s.to]).collect();
+        let mut stops: SmallVec<[f64; 32]> = SmallVec::new();
+        stretches.iter().for_each(|s| stops.extend_from_slice(&[s.from, s.to]));
         stops.sort_unstable_by(f64::total_cmp);
         let mut begun = 0;
         let mut active: SmallVec<[u32; 16]> = SmallVec::new();
         let mut before = -self.threshold;
         for w in stops.windows(2) {
             let (low, high) = (w[0], w[1]);
-            active.retain(|i| stretches[*i as usize].to > low);
+            for k in (0..active.len()).rev() {
+                if stretches[active[k] as usize].to <= low {
+                    active.remove(k);
+                }
+            }
             while begun < stretches.len() && stretches[begun].from <= low {
                 active.push(begun as u32);
                 begun += 1;
@@ -271,7 +277,9 @@ impl Blob {
             let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
             for &i in &active {
                 let field = stretches[i as usize].field(base);
-                sum.iter_mut().zip(field).for_each(|(a, b)| *a += b);
+                for k in 0..5 {
+                    sum[k] += field[k];
+                }
             }
             let start = if clipped { sum[0] } else { before };
             before = value(&sum, high - base);

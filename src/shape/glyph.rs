@@ -200,6 +200,10 @@ impl Glyph {
 
     /// Whether the outline holds a point of the plane.
     fn holds(&self, p: Vec2) -> bool {
+        let (low, high) = (self.bounds.min.truncate(), self.bounds.max.truncate());
+        if p.cmplt(low).any() || p.cmpgt(high).any() {
+            return false;
+        }
         let mut inside = false;
         for &i in self.bands.at(self.bands.number(p.y)) {
             if self.bands.extents[i as usize].1 <= p.x {
@@ -213,14 +217,13 @@ impl Glyph {
         inside
     }
 
-    fn cap(&self, ray: &Ray, z: f64, part: u32, range: Range, out: &mut Vec<Crossing>) {
+    fn cap(&self, ray: &Ray, z: f64, part: u32, range: Range) -> Option<Crossing> {
         let t = (z - ray.origin.z) / ray.dir.z;
-        if ray.dir.z != 0.0 && range.contains(t) && self.holds(ray.at(t).truncate()) {
-            out.push(Crossing::on_part(t, part));
-        }
+        let met = ray.dir.z != 0.0 && range.contains(t) && self.holds(ray.at(t).truncate());
+        met.then(|| Crossing::on_part(t, part))
     }
 
-    fn walls(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+    fn walls(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing)) {
         let (o, d) = (ray.origin.truncate(), ray.dir.truncate());
         let squared = d.length_squared();
         if squared == 0.0 {
@@ -243,7 +246,7 @@ impl Glyph {
                     let t = (segment.at(w) - o).dot(d) / squared;
                     let z = ray.origin.z + t * ray.dir.z;
                     if range.contains(t) && z >= low && z <= high {
-                        out.push(Crossing { t, part: WALLS + i, uv: Vec2::new(w, 0.0) });
+                        found(Crossing { t, part: WALLS + i, uv: Vec2::new(w, 0.0) });
                     }
                 }
             }
@@ -271,15 +274,29 @@ impl Glyph {
     }
 }
 
+/// The nearer of two crossings; of equally near ones the second.
+fn nearer(a: Crossing, b: Crossing) -> Crossing {
+    if b.t <= a.t { b } else { a }
+}
+
 impl Shape for Glyph {
     fn bounds(&self) -> Aabb {
         self.bounds
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.cap(ray, 0.0, FRONT, range, out);
-        self.cap(ray, self.thickness, BACK, range, out);
-        self.walls(ray, range, out);
+        out.extend(self.cap(ray, 0.0, FRONT, range));
+        out.extend(self.cap(ray, self.thickness, BACK, range));
+        self.walls(ray, range, |c| out.push(c));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let ends = [(0.0, FRONT), (self.thickness, BACK)];
+        let mut best = ends.into_iter().filter_map(|(z, part)| self.cap(ray, z, part, range)).reduce(nearer);
+        // A wall at the same distance counts.
+        let range = Range::new(range.min, best.map_or(range.max, |b| b.t.next_up()));
+        self.walls(ray, range, |c| best = Some(best.map_or(c, |b| nearer(b, c))));
+        best
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -107,7 +107,8 @@ struct Walk {
     origin: Vec3,
     dir: Vec3,
     inverse: Vec3,
-    /// Bound on the rounding of a coordinate.
+    /// A coordinate between the ray's origin and the far side of everything is known to less than this, also if it
+    /// comes from a distance along the ray.
     slack: Vec3,
     columns: usize,
     rows: usize,
@@ -115,8 +116,16 @@ struct Walk {
     last: [usize; 2],
 }
 
-/// Bound on the relative rounding of a distance.
-const ROUNDING: f64 = 8.0 * EPSILON;
+/// One comparison, where nothing needs to be said about what is no number.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
 
 impl Walk {
     fn new(blocks: &Blocks, ray: &Ray) -> Self {
@@ -134,8 +143,11 @@ impl Walk {
         let (origin, inverse, slack) = (self.origin[axis], self.inverse[axis], self.slack[axis]);
         let below = |plane: usize| (plane as f64 - slack - origin) * inverse;
         let above = |plane: usize| (plane as f64 + slack - origin) * inverse;
-        let ordered = |a: f64, b: f64| (a.min(b), a.max(b));
-        [ordered(below(low), above(middle)), ordered(below(middle), above(high))]
+        if inverse >= 0.0 {
+            [(below(low), above(middle)), (below(middle), above(high))]
+        } else {
+            [(above(middle), below(low)), (above(high), below(middle))]
+        }
     }
 
     /// Puts those of a block's four parts on the stack that the ray may pass, the farthest first.
@@ -157,9 +169,9 @@ impl Walk {
             if x[di] >= self.columns || z[dj] >= self.rows {
                 continue;
             }
-            let near = along_x[di].0.max(along_z[dj].0).max(range.min);
-            let far = along_x[di].1.min(along_z[dj].1).min(range.max);
-            if near > far + ROUNDING * near.abs().max(far.abs()) {
+            let near = greater(greater(along_x[di].0, along_z[dj].0), range.min);
+            let far = lesser(lesser(along_x[di].1, along_z[dj].1), range.max);
+            if near > far {
                 continue;
             }
             if !self.may_reach(heights(i + di, j + dj), near, far) {
@@ -173,9 +185,8 @@ impl Walk {
     #[inline(always)]
     fn may_reach(&self, heights: (u16, u16), near: f64, far: f64) -> bool {
         let (a, b) = (near * self.dir.y, far * self.dir.y);
-        let slack = self.slack.y + ROUNDING * (a.abs() + b.abs());
-        let low = self.origin.y + a.min(b) - slack;
-        let high = self.origin.y + a.max(b) + slack;
+        let low = self.origin.y + lesser(a, b) - self.slack.y;
+        let high = self.origin.y + greater(a, b) + self.slack.y;
         !(low > f64::from(heights.1) || high < f64::from(heights.0))
     }
 }
