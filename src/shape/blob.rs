@@ -15,6 +15,7 @@
 //! on to the next, so no crossing is lost or doubled where two meet. Stretches whose
 //! fields together cannot reach the threshold are passed over.
 
+use super::span::within;
 use super::{COINCIDENT, Crossing, PartTexture, Shape};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::polynomial::{product, sign_changes, value};
@@ -31,9 +32,16 @@ pub struct Blob {
     threshold: f64,
     tree: Option<Bvh>,
     extent: Aabb,
+    /// Length of the first part of a ray that is searched; 0 if rays are searched as a whole.
+    window: f64,
     /// Whether any component has a texture of its own.
     textured: bool,
 }
+
+type Stretches = SmallVec<[Stretch; 16]>;
+
+/// From this many components on a ray is searched part by part.
+const PARTS_FROM: usize = 64;
 
 /// One component in the blob.
 #[derive(Clone, Debug)]
@@ -104,7 +112,7 @@ impl BlobComponent {
     }
 
     /// The stretches of a ray inside the component.
-    fn stretches(&self, ray: &Ray, out: &mut SmallVec<[Stretch; 16]>) {
+    fn stretches(&self, ray: &Ray, out: &mut Stretches) {
         let o = self.to_unit.transform_point3(ray.origin);
         let d = self.to_unit.transform_vector3(ray.dir);
         let mut add = |o: Vec3, d: Vec3, from: f64, to: f64| {
@@ -185,7 +193,9 @@ impl Blob {
         let extent = positive.fold(Aabb::EMPTY, |e, (_, b)| e.union(*b));
         let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes, Quality::Best));
         let textured = components.iter().any(|c| c.texture.is_some());
-        Self { components, threshold, tree, extent, textured }
+        let mean = boxes.iter().map(|b| b.size().max_element()).sum::<f64>() / boxes.len().max(1) as f64;
+        let window = if components.len() >= PARTS_FROM { mean } else { 0.0 };
+        Self { components, threshold, tree, extent, window, textured }
     }
 
     /// Calls `visit` with every component that may reach `p`.
@@ -220,37 +230,77 @@ impl Blob {
         }
         let shift = (self.extent.center() - ray.origin).dot(ray.dir);
         let local = Ray::new(ray.at(shift), ray.dir);
-        let mut stretches: SmallVec<[Stretch; 16]> = SmallVec::new();
+        let range = Range::new(range.min - shift, range.max - shift);
+        match &self.tree {
+            Some(tree) if self.window > 0.0 => {
+                let size = self.extent.size().element_sum();
+                let (from, to) = (range.min.max(-size), range.max.min(size));
+                self.in_windows(tree, &local, Range::new(from, to), |t| {
+                    !range.contains(t) || found(t + shift)
+                });
+            }
+            _ => {
+                let mut stretches = Stretches::new();
+                self.stretches(&local, Range::LINE, &mut stretches);
+                self.search(&mut stretches, range, None, |t| !range.contains(t) || found(t + shift));
+            }
+        }
+    }
+
+    /// The search of one part of the way after the other, each twice as long as the one before: components behind
+    /// the first crossing are not looked at.
+    fn in_windows(&self, tree: &Bvh, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let Some(inside) = within(ray, range, &tree.bounds()) else { return };
+        let (mut from, mut length, mut start) = (inside.min, self.window, None);
+        let mut stretches = Stretches::new();
+        while from < inside.max {
+            let to = if from + 1.5 * length < inside.max { from + length } else { inside.max };
+            stretches.clear();
+            self.stretches(ray, Range::new(from, to), &mut stretches);
+            let Some(end) = self.search(&mut stretches, Range::new(from, to), start, &mut found) else {
+                return;
+            };
+            (from, length, start) = (to, 2.0 * length, Some(end));
+        }
+    }
+
+    /// All stretches that reach into a part of the way.
+    fn stretches(&self, ray: &Ray, part: Range, out: &mut Stretches) {
         match &self.tree {
             Some(tree) => {
-                // From in front of everything.
-                let back = Ray::new(local.at(-self.extent.size().element_sum()), ray.dir);
-                tree.any(&back, Range::FORWARD, |i| {
-                    self.components[i as usize].stretches(&local, &mut stretches);
+                // From in front of everything that counts.
+                let size = self.extent.size().element_sum();
+                let start =
+                    if part.min.is_finite() { part.min - 1e-3 * (part.max - part.min) } else { -size };
+                let length = if part.max.is_finite() { 1.002 * (part.max - start) } else { f64::INFINITY };
+                tree.any(&Ray::new(ray.at(start), ray.dir), Range::new(0.0, length), |i| {
+                    self.components[i as usize].stretches(ray, out);
                     false
                 });
             }
-            None => self.components.iter().for_each(|c| c.stretches(&local, &mut stretches)),
+            None => self.components.iter().for_each(|c| c.stretches(ray, out)),
         }
-        let range = Range::new(range.min - shift, range.max - shift);
-        self.search(&mut stretches, range, |t| found(t + shift));
     }
 
-    /// Sign changes of the summed fields less the threshold, until `found` says that it is enough.
-    fn search(&self, stretches: &mut [Stretch], range: Range, mut found: impl FnMut(f64) -> bool) {
-        // All together may not be enough anywhere.
-        if self.threshold > 0.0 && stretches.iter().map(Stretch::most).sum::<f64>() < self.threshold {
-            return;
-        }
+    /// Sign changes of the summed fields less the threshold, until `found` says that it is enough. `start` is the
+    /// value at the range's beginning, if that is known already; the result is the one at its end.
+    fn search(
+        &self,
+        stretches: &mut [Stretch],
+        range: Range,
+        start: Option<f64>,
+        mut found: impl FnMut(f64) -> bool,
+    ) -> Option<f64> {
+        let outside = -self.threshold;
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
         let mut stops: SmallVec<[f64; 32]> = SmallVec::new();
         stretches.iter().for_each(|s| stops.extend_from_slice(&[s.from, s.to]));
         stops.sort_unstable_by(f64::total_cmp);
         let mut begun = 0;
         let mut active: SmallVec<[u32; 16]> = SmallVec::new();
-        let mut before = -self.threshold;
+        let mut before = outside;
         for w in stops.windows(2) {
-            let (low, high) = (w[0], w[1]);
+            let (low, high) = (w[0], w[1].min(range.max));
             for k in (0..active.len()).rev() {
                 if stretches[active[k] as usize].to <= low {
                     active.remove(k);
@@ -260,11 +310,11 @@ impl Blob {
                 active.push(begun as u32);
                 begun += 1;
             }
+            if low >= range.max {
+                return Some(before);
+            }
             if low >= high || high <= range.min {
                 continue;
-            }
-            if low >= range.max {
-                return;
             }
             let most: f64 = active.iter().map(|&i| stretches[i as usize].most()).sum();
             if most < self.threshold {
@@ -274,21 +324,29 @@ impl Blob {
             // The first stretch in range begins with the value there.
             let clipped = low <= range.min;
             let base = if clipped { range.min } else { low };
-            let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
-            for &i in &active {
-                let field = stretches[i as usize].field(base);
-                for k in 0..5 {
-                    sum[k] += field[k];
-                }
-            }
-            let start = if clipped { sum[0] } else { before };
+            let sum = self.summed(stretches, &active, base);
+            let first = if clipped { start.unwrap_or(sum[0]) } else { before };
             before = value(&sum, high - base);
-            for s in sign_changes(&sum, (0.0, start), (high - base, before)) {
-                if range.contains(base + s) && !found(base + s) {
-                    return;
+            for s in sign_changes(&sum, (0.0, first), (high - base, before)) {
+                if !found(base + s) {
+                    return None;
                 }
             }
         }
+        let covered = stops.last().is_some_and(|&end| end >= range.max);
+        Some(if covered { before } else { outside })
+    }
+
+    /// The sum of the fields of some stretches less the threshold, as a polynomial in the distance from `base`.
+    fn summed(&self, stretches: &[Stretch], active: &[u32], base: f64) -> [f64; 5] {
+        let mut sum = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
+        for &i in active {
+            let field = stretches[i as usize].field(base);
+            for k in 0..5 {
+                sum[k] += field[k];
+            }
+        }
+        sum
     }
 }
 
@@ -395,15 +453,24 @@ mod tests {
             }));
             Blob::new(all, 0.4)
         };
-        let (few, many) = (near(0), near(20));
+        let (few, many, in_parts) = (near(0), near(20), near(100));
+        assert!(many.window == 0.0 && in_parts.window > 0.0);
         let mut random = crate::shape::conformance::Random::new(3);
         for _ in 0..500 {
             let ray = Ray::new(4.0 * random.direction(), random.direction());
             let t = |b: &Blob| b.nearest(&ray, Range::new(0.0, 10.0)).map(|c| c.t);
-            match (t(&few), t(&many)) {
-                (Some(a), Some(b)) => assert!((a - b).abs() < 1e-10, "{a} {b} {ray:?}"),
-                (a, b) => assert_eq!(a, b),
+            for other in [&many, &in_parts] {
+                match (t(&few), t(other)) {
+                    (Some(a), Some(b)) => assert!((a - b).abs() < 1e-10, "{a} {b} {ray:?}"),
+                    (a, b) => assert_eq!(a, b),
+                }
             }
+            let all = |b: &Blob| {
+                let mut out = Vec::new();
+                b.crossings(&ray, Range::new(0.0, 10.0), &mut out);
+                out.len()
+            };
+            assert_eq!(all(&few), all(&in_parts));
             let p = random.direction();
             assert_eq!(few.contains(p), many.contains(p));
         }

@@ -65,6 +65,8 @@ struct Inherited {
     photons: PhotonRules,
     /// Crossings of others survive where this contains them, so bounds are of the inside.
     in_intersection: bool,
+    /// A member of a combination.
+    is_member: bool,
     /// Inside a light group: its lights have been gathered already.
     in_group: bool,
 }
@@ -85,6 +87,7 @@ impl Inherited {
             importance: None,
             photons: PhotonRules::NONE,
             in_intersection: false,
+            is_member: false,
             in_group: false,
         }
     }
@@ -193,12 +196,14 @@ impl Flattened {
         }
         let gates: Vec<Built> =
             object.bounded_by.iter().filter_map(|b| self.solid(b, &region(outer))).collect();
+        let keeps = keeps_bounds(object) || outer.is_member || self.asked;
+        let hull = bounds;
         if !reaches_beyond {
             bounds = shrunk(bounds, object, &gates);
         }
         self.aim_at(target, object, outer, bounds);
-        let gates: Vec<Solid> =
-            if keeps_bounds(object) { gates.into_iter().map(|g| g.solid).collect() } else { Vec::new() };
+        let limits = |gate: &Built| keeps && !self.encloses(gate, &hull);
+        let gates: Vec<Solid> = gates.into_iter().filter(limits).map(|g| g.solid).collect();
         if clips.is_empty() && gates.is_empty() {
             return Some(Built { solid, bounds, extent });
         }
@@ -282,6 +287,7 @@ impl Flattened {
 
     fn csg(&mut self, op: CsgOp, children: &[Arc<Object>], object: &Object, outer: &Inherited) -> Built {
         let mut inner = self.inherit(object, outer);
+        inner.is_member = true;
         inner.in_intersection |= effective(op, inner.inverted) == Op::Intersection;
         let slot = self.reserve();
         if object.flags.cutaway_textures && inner.textures.is_none() {
@@ -340,6 +346,16 @@ impl Flattened {
             Some(Member { shape: &*leaf.shape, place, inverted: leaf.inverted })
         };
         common::bounds(&members.iter().filter_map(member).collect::<Vec<_>>(), bounds)
+    }
+
+    /// Whether a bounding object plainly holds all of a box, so that no ray can miss it and meet the box.
+    fn encloses(&self, gate: &Built, b: &Aabb) -> bool {
+        let Solid::Leaf(leaf) = gate.solid else { return false };
+        let leaf = &self.geometry.leaves[leaf as usize];
+        let convex = matches!(leaf.shape.kind(), "box" | "sphere") && !leaf.inverted;
+        convex
+            && b.is_finite()
+            && b.corners().iter().all(|&corner| self.geometry.contains(gate.solid, corner))
     }
 
     /// What the children (or the shape) of `object` stand in.
@@ -526,8 +542,8 @@ fn shrunk(bounds: Aabb, object: &Object, gates: &[Built]) -> Aabb {
     if smaller { bounds.intersection(box_of_bounds) } else { bounds }
 }
 
-/// Whether rays that miss the `bounded_by` objects miss the object too: the language keeps the bounds of
-/// combinations and of algebraic surfaces, and drops those of other shapes.
+/// Whether rays that miss the `bounded_by` objects miss the object too, wherever it stands: the language keeps the
+/// bounds of combinations and of algebraic surfaces, and drops those of other shapes that are no members.
 fn keeps_bounds(object: &Object) -> bool {
     match &object.body {
         Body::Csg { .. } => true,

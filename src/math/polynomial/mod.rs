@@ -20,9 +20,9 @@ use smallvec::SmallVec;
 /// Roots in ascending order.
 pub type Roots = SmallVec<[f64; 6]>;
 
-/// Bracketed Newton steps before the bracket's middle is accepted; bisection alone needs at most this many
-/// for any two doubles of like magnitude.
-const MAX_STEPS: usize = 128;
+/// Most bracketed Newton steps: halving alone goes from any range of doubles to a root that is 10^30 times smaller
+/// in so many.
+const MAX_STEPS: usize = 256;
 
 /// A value below this many roundings of the sum of the terms' sizes counts as touching zero.
 const TOUCH: f64 = 32.0 * EPSILON;
@@ -330,14 +330,15 @@ fn value_beside(c: &[f64], x: f64, side: f64) -> f64 {
 }
 
 /// The root between two ends with values of different sign: Newton's method, with a bisection whenever a
-/// step leaves the bracket or shrinks it too slowly.
+/// step leaves the bracket or is not half as long as the one before the last.
 #[inline(always)]
 fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64), closeness: f64) -> f64 {
     let (mut lo, mut hi) = (left.0, right.0);
     let rising = left.1 < 0.0;
     let mut x = lo + (hi - lo) * (left.1 / (left.1 - right.1)).clamp(0.05, 0.95);
-    let mut last_width = hi - lo;
-    for step in 0..MAX_STEPS {
+    // The step before the last one, and the last.
+    let (mut before, mut last) = (hi - lo, hi - lo);
+    for _ in 0..MAX_STEPS {
         let (f, d) = value_and_slope(c, x);
         if f == 0.0 {
             return x;
@@ -347,16 +348,18 @@ fn bracketed(c: &[f64], left: (f64, f64), right: (f64, f64), closeness: f64) -> 
         } else {
             hi = x;
         }
-        let next = x - f / d;
-        let close = (next - x).abs() <= closeness * x.abs();
-        if close && next >= lo && next <= hi {
+        let newton = x - f / d;
+        let step = (newton - x).abs();
+        if step <= closeness * x.abs() && newton >= lo && newton <= hi {
+            return newton;
+        }
+        let shrinks = newton > lo && newton < hi && step <= 0.5 * before;
+        let next = if shrinks { newton } else { lo + 0.5 * (hi - lo) };
+        if next <= lo || next >= hi {
             return next;
         }
-        let slow = step % 4 == 3 && hi - lo > 0.25 * std::mem::replace(&mut last_width, hi - lo);
-        x = if next > lo && next < hi && !slow { next } else { lo + 0.5 * (hi - lo) };
-        if x <= lo || x >= hi {
-            return x;
-        }
+        (before, last) = (last, (next - x).abs());
+        x = next;
     }
     x
 }

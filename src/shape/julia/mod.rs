@@ -11,11 +11,12 @@
 //! | slice | – | (0, 0, 0, 1), 0 | normal and distance of the slice |
 //!
 //! A ray is followed in steps through a ball around the set: by an estimate of the distance to it while
-//! outside, else by the smallest step. Where the state changes the place is found by bisection. The normal
-//! is the gradient of the iterate's size with the fourth coordinate held fast, as it always was, also where
+//! outside, else by the smallest step. Where the state changes the place is refined. The ball itself, of radius 4 for
+//! hypercomplex numbers, is where the first iterate is too large: it is part of the surface where it cuts
+//! the set. The normal is the gradient of the iterate's size with the fourth coordinate held fast, as it always was, also where
 //! the slice is inclined and that is not quite the surface's.
 //!
-//! Numerical care: the bisection goes down to rounding. An iterate that is not finite has escaped.
+//! Numerical care: places are refined down to rounding. An iterate that is not finite has escaped.
 
 mod hypercomplex;
 mod quaternion;
@@ -169,30 +170,38 @@ impl Julia {
 
     fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
         let Some((enter, leave)) = sphere_span(ray.origin, ray.dir, self.radius) else { return };
-        let (from, to) = (enter.max(range.min + SKIP), leave.min(range.max));
-        if from.is_nan() || from >= to {
+        let (enters, leaves) = (enter > range.min, leave < range.max);
+        let mut t = if enters { enter + 2.0 * SKIP } else { range.min + SKIP };
+        let end = if leaves { leave - 2.0 * SKIP } else { range.max };
+        if !(t < end) {
             return;
         }
-        let mut t = from;
         let mut fate = self.fate(ray.at(t), ray.dir);
-        if fate == Fate::Inside {
+        if enters && fate == Fate::Inside {
+            if !found(enter) {
+                return;
+            }
+        } else if fate == Fate::Inside {
             t += 2.0 * SKIP;
             fate = self.fate(ray.at(t), ray.dir);
         }
-        while t < to {
+        while t < end {
             let step = match fate {
                 Fate::Inside => self.step,
                 Fate::Outside(distance) => distance.max(self.step),
             };
-            let next = t + step;
+            let next = (t + step).min(end);
             let next_fate = self.fate(ray.at(next), ray.dir);
             if (fate == Fate::Inside) != (next_fate == Fate::Inside) {
                 let crossing = self.refined(ray, t, next, fate == Fate::Inside);
-                if range.contains(crossing) && crossing <= to && !found(crossing) {
+                if range.contains(crossing) && !found(crossing) {
                     return;
                 }
             }
             (t, fate) = (next, next_fate);
+        }
+        if leaves && fate == Fate::Inside {
+            found(leave);
         }
     }
 

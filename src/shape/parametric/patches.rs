@@ -17,7 +17,6 @@ const INNER_HALVINGS: u32 = 6;
 /// Slopes are worked out for blocks of this many patches a side.
 const BLOCK: usize = 8;
 
-#[derive(Debug)]
 pub(super) struct Patches {
     /// Around the whole, its halves, the halves of those …: part i's halves are parts 2 i + 1 and 2 i + 2.
     boxes: Vec<Aabb>,
@@ -38,6 +37,12 @@ pub(super) struct Grid {
     stops: [Vec<f64>; 2],
     /// Row by row.
     points: Vec<Vec3>,
+}
+
+impl std::fmt::Debug for Patches {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "{} patches", self.inner.len())
+    }
 }
 
 /// A range of a slope.
