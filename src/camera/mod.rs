@@ -135,6 +135,7 @@ impl Camera {
     }
 
     /// Ray number `k` of [`Camera::rays`] through (x, y).
+    #[inline]
     pub fn nth_ray(
         &self,
         k: usize,
@@ -144,6 +145,23 @@ impl Camera {
         context: &Context,
     ) -> Option<Ray> {
         let (s, t) = (x / width - 0.5, 0.5 - y / height);
+        if let (CameraKind::Perspective, None) = (&self.kind, &self.normal) {
+            let direction = perspective::view(self, s, t).direction.normalize();
+            return direction.is_finite().then(|| Ray::new(self.location, direction));
+        }
+        self.nth_of_any(k, (x, y), (s, t), (width, height), context)
+    }
+
+    /// The same for every kind; `s` and `t` are the place in parts of the picture from its middle.
+    #[inline(never)]
+    fn nth_of_any(
+        &self,
+        k: usize,
+        (x, y): (f64, f64),
+        (s, t): (f64, f64),
+        (width, height): (f64, f64),
+        context: &Context,
+    ) -> Option<Ray> {
         let view = match &self.kind {
             CameraKind::Mesh(mesh) => {
                 let along = (self.location.z, self.direction.z < 0.0);

@@ -2,6 +2,7 @@
 
 use super::{Camera, View};
 
+#[inline]
 pub(super) fn view(camera: &Camera, s: f64, t: f64) -> View {
     View {
         origin: camera.location,

@@ -147,6 +147,24 @@ impl Light {
         (to_lamp * distance.recip(), distance)
     }
 
+    /// [`Light::towards`] for a lamp that shines from its location.
+    #[inline]
+    pub fn from_point(&self, p: Vec3) -> (Vec3, f64) {
+        let to_lamp = self.location - p;
+        let distance = to_lamp.length();
+        (to_lamp * distance.recip(), distance)
+    }
+
+    /// Whether the light comes from one point, as strong everywhere, and casts shadows.
+    pub fn is_plain(&self) -> bool {
+        self.kind == LightKind::Point
+            && !self.parallel
+            && self.area.is_none()
+            && !self.shadowless
+            && (self.fade_power <= 0.0 || self.fade_distance == 0.0)
+            && !is_dark(self.color)
+    }
+
     /// The stretch of `ray` that the light's beam may light, unclipped.
     pub fn section(&self, ray: &Ray) -> Option<(f64, f64)> {
         match &self.kind {

@@ -105,6 +105,16 @@ impl Crossing {
     }
 }
 
+/// Where a crossing is, and how the surface lies there: see [`Shape::locate`], [`Shape::normal`] and
+/// [`Shape::face_normal`].
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    pub point: Vec3,
+    pub error: f64,
+    pub normal: Vec3,
+    pub face: Option<Vec3>,
+}
+
 /// Which texture a crossing shows, for shapes whose parts have textures of their own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PartTexture {
@@ -182,6 +192,13 @@ pub trait Shape: Debug + Send + Sync {
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
         let p = ray.at(crossing.t);
         (p, 8.0 * EPSILON * (ray.origin.abs().max_element() + crossing.t.abs() + p.abs().max_element()))
+    }
+
+    /// Everything about a crossing's place that lighting asks for, in one call.
+    fn at(&self, ray: &Ray, crossing: &Crossing) -> Place {
+        let (point, error) = self.locate(ray, crossing);
+        let normal = self.normal(point, crossing);
+        Place { point, error, normal, face: self.face_normal(point, crossing) }
     }
 
     /// Surface parameters in 0..1, if the shape defines any.

@@ -52,12 +52,34 @@ impl Tracer<'_> {
         }
         let mut sum = Rgb::ZERO;
         for (i, light) in global.iter().enumerate() {
+            if light.plain && site.lit.is_none() {
+                sum += self.by_plain_light(site, look, light);
+                continue;
+            }
             sum += self.by_light(site, look, light, site.lit.map(|base| base + i));
         }
         for light in group {
             sum += self.by_light(site, look, light, None);
         }
         sum
+    }
+
+    /// A light that needs nothing but its place and colour.
+    #[inline]
+    fn by_plain_light(&mut self, site: &Site, look: &Look, source: &WorldLight) -> Rgb {
+        let (direction, distance) = source.light.from_point(site.hit.point);
+        let Some(behind) = look.is_lit_from_behind(direction, site.hit.double_illuminate) else {
+            return Rgb::ZERO;
+        };
+        let mut color = source.light.color;
+        if self.settings.quality >= 4 {
+            let ray = site.departure.ray(direction);
+            color = self.transmitted(&ray, distance, &site.path.inside, source, color);
+            if is_dark(color) {
+                return Rgb::ZERO;
+            }
+        }
+        self.answer(site, look, direction, color, behind, false)
     }
 
     /// `kept` is the place of the light's shadowed colour among those of this hit.

@@ -39,6 +39,16 @@ impl Placed<'_, '_> {
     }
 }
 
+/// The layer of a surface that has just one, whose texture is not mapped by uv.
+#[inline]
+pub(super) fn sole<'w, 'a>(surface: &'w Surface, hit: &Hit) -> Option<Placed<'w, 'a>> {
+    let [l] = &surface.layers[..] else { return None };
+    let Texture::Layers(layers) = &*l.texture else { return None };
+    let point = l.texture_to_local.as_ref().map_or(hit.local, |t| t.inverse_point(hit.local));
+    let to_world = l.texture_to_world.as_deref();
+    Some(Placed { layer: layers.first()?, point, to_world, sample: None, asks_hit: surface.asks_hit })
+}
+
 /// Calls `visit` with each stack that shows at the hit, top layer first, and its share. `normal` is the hit's
 /// after the most recent perturbation, which `visit` keeps up to date.
 pub(super) fn stacks<'w, 'i>(

@@ -11,6 +11,7 @@ mod media;
 mod media_sampling;
 mod path;
 pub mod photon;
+mod plain;
 mod radiosity;
 mod rainbow;
 mod random;

@@ -75,14 +75,14 @@ struct Through<'w> {
 }
 
 /// Reflection by one layer.
-struct Bounce<'w> {
-    share: f32,
-    k: Rgb,
-    weight: f32,
-    normal: Vec3,
-    finish: &'w Finish,
+pub(super) struct Bounce<'w> {
+    pub share: f32,
+    pub k: Rgb,
+    pub weight: f32,
+    pub normal: Vec3,
+    pub finish: &'w Finish,
     /// The stack's place in `Plan::through`, if anything passes it.
-    through: Option<usize>,
+    pub through: Option<usize>,
 }
 
 impl<'a> Site<'a> {
@@ -121,7 +121,14 @@ impl<'a> Site<'a> {
 }
 
 impl<'w> Tracer<'w> {
+    #[inline]
     pub(super) fn shade(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
+        self.plain(ray, hit, path).unwrap_or_else(|| self.shade_fully(ray, hit, path))
+    }
+
+    /// The same for surfaces of any kind.
+    #[inline(never)]
+    fn shade_fully(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
         let mut site = Site::new(ray, hit, path);
         let mut plan = Plan { rgb: Rgb::ZERO, through: SmallVec::new(), bounces: SmallVec::new() };
         self.plan(&mut site, &mut plan);
@@ -145,7 +152,7 @@ impl<'w> Tracer<'w> {
     fn plan(&mut self, site: &mut Site, plan: &mut Plan<'w>) {
         let (world, normal) = (self.world, Cell::new(site.facing));
         match world.sole_surface(site.hit, site.is_back()) {
-            Some(surface) if surface.has_one_layer() => {
+            Some(surface) if surface.sole_layer().is_some() => {
                 self.plan_part(site, (1.0, surface), &normal, plan);
             }
             sole => {
@@ -298,7 +305,7 @@ impl<'w> Tracer<'w> {
 
     /// The layer's own opacity.
     #[inline]
-    fn opacity(&self, c: Color) -> f32 {
+    pub(super) fn opacity(&self, c: Color) -> f32 {
         let filter = if self.modern { c.filter } else { c.filter * c.rgb.max_element() };
         1.0 - filter - c.transmit
     }
@@ -375,7 +382,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The reflected light of one layer.
-    fn bounce(&mut self, site: &Site, bounce: &Bounce) -> Rgb {
+    pub(super) fn bounce(&mut self, site: &Site, bounce: &Bounce) -> Rgb {
         let (ray, path) = (site.ray, site.path);
         self.counters.reflected_rays += 1;
         let direction = reflect::mirrored(ray.dir, bounce.normal, site.facing);

@@ -189,8 +189,8 @@ impl<'w> Tracer<'w> {
     /// runs down.
     pub fn pixel(&mut self, x: f64, y: f64) -> Pixel {
         let size = (f64::from(self.settings.width), f64::from(self.settings.height));
-        match self.lens.clone() {
-            Some(lens) => self.blurred(&lens, (x, y), size),
+        match &self.lens {
+            Some(lens) => self.blurred(&lens.clone(), (x, y), size),
             None if self.world.scene.camera.rays() > 1 => self.averaged((x, y), size),
             None => self.seen_along(self.world.scene.camera.ray(x, y, size, &self.context)),
         }

@@ -450,8 +450,9 @@ impl Flattened {
             self.projectors.push(b.solid);
             self.projectors.len() as u32 - 1
         });
-        let light =
-            WorldLight { light: source.light.transformed(to_world).prepared(), projected_through, number: 0 };
+        let light = source.light.transformed(to_world).prepared();
+        let plain = projected_through.is_none() && light.is_plain();
+        let light = WorldLight { light, projected_through, number: 0, plain };
         if in_group { self.group_lights.push(light) } else { self.lights.push(light) }
     }
 

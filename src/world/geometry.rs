@@ -395,18 +395,17 @@ impl Geometry {
         let leaf = &self.leaves[found.leaf as usize];
         let sign = if leaf.inverted { -1.0 } else { 1.0 };
         let Some(place) = &leaf.place else {
-            let (point, error) = leaf.shape.locate(ray, &found.crossing);
-            let normal = sign * leaf.shape.normal(point, &found.crossing);
-            let face = leaf.shape.face_normal(point, &found.crossing).map_or(normal, |f| sign * f);
-            return Located { point, error, local: point, normal, face };
+            let at = leaf.shape.at(ray, &found.crossing);
+            let normal = sign * at.normal;
+            let face = at.face.map_or(normal, |f| sign * f);
+            return Located { point: at.point, error: at.error, local: at.point, normal, face };
         };
         let (local_ray, _) = place.inverse_ray(ray);
-        let (local, local_error) = leaf.shape.locate(&local_ray, &found.crossing);
-        let raw = leaf.shape.normal(local, &found.crossing);
-        let raw_face = leaf.shape.face_normal(local, &found.crossing);
-        let normal = sign * place.normal(raw);
-        let face = raw_face.map_or(normal, |f| sign * place.normal(f));
-        let (point, error) = place.point(local, local_error, face);
+        let at = leaf.shape.at(&local_ray, &found.crossing);
+        let normal = sign * place.normal(at.normal);
+        let face = at.face.map_or(normal, |f| sign * place.normal(f));
+        let local = at.point;
+        let (point, error) = place.point(local, at.error, face);
         Located { point, error, local, normal, face }
     }
 }

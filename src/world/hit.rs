@@ -1,5 +1,5 @@
 use crate::color::Rgb;
-use crate::material::{Attached, Texture};
+use crate::material::{Attached, Layer, Texture};
 use crate::math::{Aabb, Transform, Vec3};
 use crate::shape::Crossing;
 use std::sync::Arc;
@@ -123,6 +123,8 @@ pub struct Surface {
     pub filter: Option<Rgb>,
     /// Whether some layer hangs on how a ray met the surface, not on the point alone.
     pub asks_hit: bool,
+    /// Whether there is just one layer, opaque everywhere, without light from below and thin films.
+    pub plain: bool,
 }
 
 impl Surface {
@@ -139,14 +141,19 @@ impl Surface {
             filter = filter.zip(own).map(|(a, b)| a * b);
         }
         let asks_hit = layers.iter().any(|l| l.texture.asks_hit());
-        Self { layers, opaque, filter, asks_hit }
+        let mut surface = Self { layers, opaque, filter, asks_hit, plain: false };
+        surface.plain = opaque
+            && !asks_hit
+            && surface.sole_layer().is_some_and(|l| l.finish.irid == 0.0 && l.finish.subsurface.is_none());
+        surface
     }
 
-    /// Whether there is just one layer, the same everywhere.
-    pub fn has_one_layer(&self) -> bool {
-        match &self.layers[..] {
-            [only] => matches!(&*only.texture, Texture::Layers(layers) if layers.len() == 1),
-            _ => false,
+    /// The layer, if there is just one, the same everywhere.
+    pub fn sole_layer(&self) -> Option<&Layer> {
+        let [only] = &self.layers[..] else { return None };
+        match &*only.texture {
+            Texture::Layers(layers) if layers.len() == 1 => layers.first(),
+            _ => None,
         }
     }
 }

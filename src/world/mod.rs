@@ -61,6 +61,8 @@ pub struct WorldLight {
     pub projected_through: Option<u32>,
     /// Its place among all lights, those of groups behind the global ones.
     pub number: u32,
+    /// Whether its place and colour are all that there is to it: see [`Light::is_plain`].
+    pub plain: bool,
 }
 
 /// The object that stopped the last shadow ray towards a light.
