@@ -171,7 +171,8 @@ impl Walk {
             }
             let near = greater(greater(along_x[di].0, along_z[dj].0), range.min);
             let far = lesser(lesser(along_x[di].1, along_z[dj].1), range.max);
-            if near > far {
+            // A ray along an axis is outside of a block nowhere, or at all distances: up to infinity then.
+            if near > far || near == f64::INFINITY {
                 continue;
             }
             if !self.may_reach(heights(i + di, j + dj), near, far) {
@@ -188,5 +189,42 @@ impl Walk {
         let low = self.origin.y + lesser(a, b) - self.slack.y;
         let high = self.origin.y + greater(a, b) + self.slack.y;
         !(low > f64::from(heights.1) || high < f64::from(heights.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rays along axes are led to the few cells on their way, whether they end or not.
+    #[test]
+    fn rays_along_axes_visit_few_cells() {
+        let blocks = Blocks::build(64, 64, |_, _| (0, 60000));
+        let visited = |origin: Vec3, dir: Vec3, max: f64| {
+            let mut count = 0;
+            blocks.traverse(
+                &Ray::new(origin, dir),
+                Range::new(0.0, max),
+                |_, _| (0, 60000),
+                |_, _, max| {
+                    count += 1;
+                    max
+                },
+            );
+            count
+        };
+        for max in [1e6, f64::INFINITY] {
+            for dir in [Vec3::Y, Vec3::NEG_Y] {
+                let from = if dir.y > 0.0 { -10.0 } else { 70000.0 };
+                assert_eq!(visited(Vec3::new(20.5, from, 41.5), dir, max), 1, "{dir} {max}");
+                assert_eq!(visited(Vec3::new(-0.5, from, 41.5), dir, max), 0, "{dir} {max}");
+                assert_eq!(visited(Vec3::new(20.5, from, 65.0), dir, max), 0, "{dir} {max}");
+            }
+            for dir in [Vec3::X, Vec3::NEG_X] {
+                let from = Vec3::new(32.0 - 50.0 * dir.x, 5.0, 7.5);
+                assert_eq!(visited(from, dir, max), 64, "{dir} {max}");
+                assert_eq!(visited(from + 100.0 * Vec3::Z, dir, max), 0, "{dir} {max}");
+            }
+        }
     }
 }
