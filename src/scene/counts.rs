@@ -94,29 +94,49 @@ fn lights_in(object: &Object) -> usize {
     }
 }
 
-/// A box around the object, in the space around it; a light has none.
+/// A box around the object, in the space around it, as the reference finds it; a light has none.
 fn bounds(object: &Object) -> Aabb {
-    let children =
-        |children: &[std::sync::Arc<Object>]| children.iter().map(|c| bounds(c)).collect::<Vec<_>>();
     let own = match &object.body {
         Body::Light(_) => return Aabb::INFINITE,
-        Body::Shape(shape) => shape.bounds(),
-        Body::Csg { op: CsgOp::Difference, children } => children.first().map_or(Aabb::EMPTY, |c| bounds(c)),
-        Body::Csg { op: CsgOp::Intersection, children: all } => {
-            let own = children(all).into_iter().fold(Aabb::INFINITE, Aabb::intersection);
-            common::bounds(&all.iter().filter_map(|c| member(c)).collect::<Vec<_>>(), own)
+        Body::Shape(shape) if shape.has_extent() => shape.bounds(),
+        Body::Shape(_) => Aabb::INFINITE,
+        Body::Csg { op: CsgOp::Difference, children } => {
+            common(children.iter().enumerate().map(|(i, child)| (&**child, i > 0)))
         }
-        Body::Csg { children: all, .. } => children(all).into_iter().fold(Aabb::EMPTY, Aabb::union),
+        Body::Csg { op: CsgOp::Intersection, children } => common(children.iter().map(|c| (&**c, false))),
+        Body::Csg { children, .. } => children.iter().map(|c| bounds(c)).fold(Aabb::EMPTY, Aabb::union),
     };
-    let limits = object.clipped_by.iter().chain(&object.bounded_by).filter(|l| !l.flags.inverse);
     let outer = if own.is_finite() { object.transform.bounds(&own) } else { own };
-    limits.fold(outer, |b, limit| b.intersection(bounds(limit)))
+    let limits = object.clipped_by.iter().chain(&object.bounded_by).filter(|l| !l.flags.inverse);
+    let limited = limits.fold(outer, |b, limit| b.intersection(bounds(limit)));
+    match member(object, false).filter(|m| m.shape.has_extent()) {
+        Some(clipped) if !limited.is_finite() => {
+            let clips = object.clipped_by.iter().filter_map(|clip| member(clip, false));
+            common::aligned_bounds(&[clipped].into_iter().chain(clips).collect::<Vec<_>>(), limited)
+        }
+        _ => limited,
+    }
 }
 
-/// An object that may narrow what it is combined with.
-fn member(object: &Object) -> Option<Member<'_>> {
+/// A box around what objects have in common, some of them turned inside out. What is inverted, and no plane,
+/// limits nothing.
+fn common<'a>(objects: impl Iterator<Item = (&'a Object, bool)>) -> Aabb {
+    let (mut own, mut members) = (Aabb::INFINITE, Vec::new());
+    for (object, inverted) in objects {
+        if inverted == object.flags.inverse {
+            own = own.intersection(bounds(object));
+        }
+        members.extend(member(object, inverted));
+    }
+    let found = common::aligned_bounds(&members, own);
+    if found.is_finite() { found } else { Aabb::INFINITE }
+}
+
+/// A shape that may narrow what it is combined with.
+fn member(object: &Object, inverted: bool) -> Option<Member<'_>> {
     let Body::Shape(shape) = &object.body else { return None };
-    Some(Member { shape: &**shape, place: &object.transform, inverted: object.flags.inverse })
+    let inverted = inverted != object.flags.inverse;
+    Some(Member { shape: &**shape, place: &object.transform, inverted })
 }
 
 #[cfg(test)]
@@ -160,6 +180,15 @@ mod tests {
                 "intersection{quadric{<1,-1,1>,0,0,-1} plane{y,2} plane{-y,2}} quadric{<1,-1,1>,0,0,-1}",
                 [1, 1, 0],
             ),
+            ("intersection{quadric{<1,-1,1>,0,0,-1} plane{y,2} plane{y,-2 inverse}}", [1, 0, 0]),
+            ("intersection{quadric{<1,0,1>,0,<0,-1,0>,0} plane{y,2}}", [1, 0, 0]),
+            ("intersection{quadric{<1,0,1>,0,0,-1} plane{y,2 rotate x*20} plane{-y,0}}", [0, 1, 0]),
+            ("intersection{quadric{<1,0,1>,0,0,-1 inverse} plane{y,2} plane{-y,2}}", [0, 1, 0]),
+            ("difference{quadric{<1,-1,1>,0,0,-1} plane{y,-2} plane{-y,-2}}", [1, 0, 0]),
+            ("quadric{<1,-1,1>,0,0,-1 clipped_by{plane{y,2}} clipped_by{plane{-y,2}}}", [1, 0, 0]),
+            ("intersection{sphere{0,1 inverse} plane{y,0}}", [0, 1, 0]),
+            ("sphere{0,1 inverse}", [1, 0, 0]),
+            ("intersection{plane{x+y+z,1} plane{-x,1} plane{-y,1} plane{-z,1}}", [0, 1, 0]),
             ("plane{y,0 bounded_by{sphere{0,1}}}", [1, 0, 0]),
             ("plane{y,0 clipped_by{sphere{0,1}}}", [1, 0, 0]),
             ("plane{y,0 clipped_by{plane{x,0}}}", [0, 1, 0]),

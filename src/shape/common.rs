@@ -44,6 +44,19 @@ pub fn bounds(members: &[Member], mut bounds: Aabb) -> Aabb {
     bounds
 }
 
+/// The same by what stands along the axes alone, as the scene language's reference finds it.
+pub fn aligned_bounds(members: &[Member], bounds: Aabb) -> Aabb {
+    let flat: Vec<(Vec3, f64)> = members.iter().filter_map(half_space).collect();
+    let mut bounds = region(&Transform::IDENTITY, &flat, &bounds);
+    for _ in 0..ROUNDS {
+        for member in members.iter().filter(|m| !m.inverted && m.shape.has_extent()) {
+            let left = member.shape.within(&region(member.place, &flat, &bounds));
+            bounds = bounds.intersection(grown(member.place.bounds(&left)));
+        }
+    }
+    bounds
+}
+
 /// The polyhedron of half-spaces and the finite sides of a box.
 fn between(flat: &[(Vec3, f64)], bounds: &Aabb) -> Aabb {
     let mut all = flat.to_vec();

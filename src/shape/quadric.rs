@@ -119,18 +119,21 @@ impl Quadric {
         bounds
     }
 
-    /// Along an axis with a positive square: where the value can be 0 or less if the other terms are least.
+    /// Along an axis with a positive square, or none: where the value can be 0 or less if the other terms are
+    /// least.
     fn narrowed(&self, axis: usize, region: &Aabb) -> Option<(f64, f64)> {
         let (a, b) = (self.squares[axis], 0.5 * self.linear[axis]);
-        if !(a > 0.0) {
-            return None;
-        }
         let others = (0..3).filter(|&i| i != axis);
         let least = others.fold(self.constant, |sum, i| {
             sum + least_of(self.squares[i], self.linear[i], region.min[i], region.max[i])
         });
+        if a == 0.0 && b != 0.0 && least.is_finite() {
+            let (end, free) = (-0.5 * least / b, f64::INFINITY.copysign(b));
+            let end = end + rounding(end).copysign(b);
+            return Some((end.min(-free), end.max(-free)));
+        }
         let room = b * b - a * least;
-        if !room.is_finite() {
+        if !(a > 0.0 && room.is_finite()) {
             return None;
         }
         let (center, half) = (-b / a, room.max(0.0).sqrt() / a);
