@@ -11,7 +11,7 @@
 //!
 //! Reference: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
 
-use super::{Crossing, Shape, rounding};
+use super::{Crossing, Place, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
 use std::f64::consts::PI;
 
@@ -75,9 +75,19 @@ impl Shape for Sphere {
     }
 
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
+        let at = self.at(ray, crossing);
+        (at.point, at.error)
+    }
+
+    fn at(&self, ray: &Ray, crossing: &Crossing) -> Place {
         let out = (ray.at(crossing.t) - self.center).normalize_or(Vec3::X);
         let r = self.radius.abs();
-        (self.center + r * out, rounding(self.center.abs().max_element() + r))
+        Place {
+            point: self.center + r * out,
+            error: rounding(self.center.abs().max_element() + r),
+            normal: if self.radius < 0.0 { -out } else { out },
+            face: None,
+        }
     }
 
     fn uv(&self, p: Vec3, _crossing: &Crossing) -> Option<Vec2> {
@@ -104,6 +114,22 @@ mod tests {
         let ray = |x| Ray::new(Vec3::new(x, 0.0, -3.0), Vec3::Z);
         assert!(s.nearest(&ray(1.0), Range::FORWARD).is_none());
         assert!(s.nearest(&ray(0.999999999), Range::FORWARD).is_some());
+    }
+
+    #[test]
+    fn a_place_is_what_its_parts_are() {
+        for radius in [2.0, -2.0] {
+            let s = Sphere::new(Vec3::new(1.0, 2.0, 3.0), radius);
+            for i in 0..20 {
+                let ray =
+                    Ray::new(Vec3::new(1.3, 2.0, -4.0), Vec3::new(0.01 * f64::from(i), 0.1, 1.0).normalize());
+                let crossing = s.nearest(&ray, Range::FORWARD).expect("a hit");
+                let (at, (point, error)) = (s.at(&ray, &crossing), s.locate(&ray, &crossing));
+                assert_eq!((at.point, at.error, at.face), (point, error, None));
+                assert!(at.normal.distance(s.normal(point, &crossing)) < 1e-15);
+                assert!(at.normal.dot(ray.dir) * radius < 0.0);
+            }
+        }
     }
 
     #[test]

@@ -98,9 +98,9 @@ fn transformed<const N: usize>(c: &[f64; N], low: f64, width: f64) -> [f64; N] {
     }
     // Divided by the binomial coefficient of N - 1 over k.
     let mut factor = 1.0;
-    for k in 1..N {
+    for (k, a) in a.iter_mut().enumerate().skip(1) {
         factor *= width * (k as f64 / (N - k) as f64);
-        a[k] *= factor;
+        *a *= factor;
     }
     for i in 1..N {
         for j in (i..N).rev() {
@@ -115,11 +115,11 @@ fn transformed<const N: usize>(c: &[f64; N], low: f64, width: f64) -> [f64; N] {
 fn halves<const N: usize>(part: &Part<N>, middle: (f64, f64)) -> (Part<N>, Part<N>) {
     let mut right = part.coefficients;
     let mut left = right;
-    for i in 1..N {
+    for (i, left) in left.iter_mut().enumerate().skip(1) {
         for j in 0..N - i {
             right[j] = 0.5 * (right[j] + right[j + 1]);
         }
-        left[i] = right[0];
+        *left = right[0];
     }
     let depth = part.depth + 1;
     (

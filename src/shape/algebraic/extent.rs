@@ -209,11 +209,12 @@ impl Dense {
 
     fn range_of_terms(&self, part: &Aabb) -> (f64, f64) {
         let mut powers = [[(1.0, 1.0); LARGEST_DEGREE + 1]; 3];
-        for axis in 0..3 {
+        for (axis, powers) in powers.iter_mut().enumerate() {
             let (mut a, mut b) = (1.0, 1.0);
-            let through = part.min[axis] < 0.0 && part.max[axis] > 0.0;
-            for power in &mut powers[axis][1..=self.order] {
-                (a, b) = (a * part.min[axis], b * part.max[axis]);
+            let (low, high) = (part.min[axis], part.max[axis]);
+            let through = low < 0.0 && high > 0.0;
+            for power in &mut powers[1..=self.order] {
+                (a, b) = (a * low, b * high);
                 *power = (if through { a.min(b).min(0.0) } else { a.min(b) }, a.max(b));
             }
         }
