@@ -19,7 +19,10 @@ const SPARSE_FROM: usize = 16;
 /// One lamp of so many is tested where corners agree.
 const SPARSE_SHARE: u32 = 12;
 
-/// Lights of fewer lamps look into uneven media for each.
+/// One lamp of so many is tested from a place in media: those of neighbouring places add up.
+const SCATTERED_SHARE: u32 = 4;
+
+/// Lights of fewer lamps look into uneven media for each, and are tested as a whole from places in media.
 const SHARE_FROM: usize = 9;
 
 /// Marks a lamp that has not been tested.
@@ -86,6 +89,7 @@ impl Tracer<'_> {
         let few = match (self.settings.overrides.reference, class) {
             (true, RayClass::Radiosity) => Some(1),
             (true, _) => Some(REFERENCE_LAMPS),
+            _ if self.scatters && lamps >= SHARE_FROM => Some((lamps as u32 / SCATTERED_SHARE).max(2)),
             _ => self.settings.overrides.area_samples,
         };
         if let Some(few) = few.filter(|&n| (n as usize) < lamps) {

@@ -270,8 +270,10 @@ impl<'w> Tracer<'w> {
             if (scattering * arrival.color * phase * stretch.share.get()).abs().max_element() < UNSEEN {
                 continue;
             }
+            self.scatters = true;
             let color =
                 self.shadowed(&Departure::free(p), &path.inside, beam.source, &arrival, RayClass::Image);
+            self.scatters = false;
             if !is_dark(color) {
                 sum += phase * color;
             }

@@ -63,6 +63,8 @@ pub struct Tracer<'w> {
     pub(super) lit: Vec<Option<Rgb>>,
     /// What stopped the last shadow ray towards each light.
     pub(super) blockers: Vec<Blocker>,
+    /// Whether light is looked for from a place in media.
+    pub(super) scatters: bool,
     /// Lamps of the area light being sampled.
     pub(super) lamps: Vec<Rgb>,
     /// What media leave of their light.
@@ -131,6 +133,7 @@ impl<'w> Tracer<'w> {
             air: (0, 0),
             lit: Vec::new(),
             blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
+            scatters: false,
             lamps: Vec::new(),
             shared_dimming: SharedDimming::default(),
         };
