@@ -173,3 +173,23 @@ fn a_few_of_many_lights_do() {
     let alone: f64 = places.iter().map(|&x| mean(&picture(&scene(&lamp(x, 0.1)), (24, 18), false))).sum();
     assert!((chosen / alone - 1.0).abs() < 0.01, "{chosen} {alone}");
 }
+
+/// Wine that is wider than its glass by a hair, or by far less: the same light. Where two surfaces lie nearer than
+/// 0.0001 to each other the reference drops one of them, and its rays stay in the glass.
+#[test]
+fn hairs_breadths_do_not_matter() {
+    let wine = |gap: f64| {
+        format!(
+            "global_settings {{ assumed_gamma 1 max_trace_level 12 }} background {{ rgb 0.5 }} \
+             camera {{ location <0, 2, -6> look_at 0 angle 25 }} light_source {{ <5, 8, -6> rgb 1 }} \
+             difference {{ cylinder {{ -1.2*y, 1.2*y, 1 }} cylinder {{ -y, 1.3*y, 0.9 }} \
+             pigment {{ rgbf 0.95 }} finish {{ diffuse 0 }} interior {{ ior 1.5 }} }} \
+             cylinder {{ -(1 + {gap})*y, 0.6*y, 0.9 + {gap} pigment {{ rgbf <0.9, 0.1, 0.2, 0.95> }} \
+             finish {{ diffuse 0 }} interior {{ ior 1.2 }} }}"
+        )
+    };
+    let [a, b] = [1e-8, 1e-3].map(|gap| picture(&wine(gap), (32, 24), false));
+    let difference = |(a, b): (&[f64; 3], &[f64; 3])| (a[1] - b[1]).abs();
+    let mean = a.iter().zip(&b).map(difference).sum::<f64>() / a.len() as f64;
+    assert!(mean < 0.01, "{mean}");
+}

@@ -11,6 +11,7 @@ mod estimate;
 mod follow;
 mod map;
 mod media;
+mod order;
 mod radius;
 
 pub use aim::{Kinds, Stream};
