@@ -165,6 +165,39 @@ impl Compound {
         }
     }
 
+    /// Whether there is any crossing inside `range`: the first one found will do.
+    pub fn is_met(&self, geometry: &Geometry, probe: &Probe, range: Range, lists: &mut Lists) -> bool {
+        match self.op {
+            Op::Intersection if self.gates.is_empty() => {
+                let Some(range) = self.within(probe, range) else { return false };
+                let Some(mut candidates) = self.candidates(geometry, probe, range, lists) else {
+                    return false;
+                };
+                let first = candidates.first;
+                let met = (0..candidates.owners.len()).any(|i| {
+                    self.keeps(geometry, probe.ray, range, i, &mut candidates, lists)
+                        && self.is_unclipped(geometry, probe.ray.at(lists.found[first + i].t))
+                });
+                lists.found.truncate(first);
+                met
+            }
+            Op::Union if self.clips.is_empty() && self.gates.is_empty() => match &self.tree {
+                Some(tree) => tree.any(probe.ray, range, |i| {
+                    geometry.is_met(self.children[i as usize].solid, probe, range, lists)
+                }),
+                None => {
+                    let mut met = false;
+                    self.each_met(probe, range, |i, max| {
+                        met = met || geometry.is_met(self.children[i].solid, probe, range, lists);
+                        if met { f64::NEG_INFINITY } else { max }
+                    });
+                    met
+                }
+            },
+            _ => self.nearest(geometry, probe, range, lists).is_some(),
+        }
+    }
+
     /// The nearest crossing of any child, and whose it is.
     fn nearest_of_union(
         &self,

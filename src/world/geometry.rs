@@ -323,7 +323,23 @@ impl Geometry {
     /// Whether there is any crossing inside `range`.
     #[inline]
     pub fn meets(&self, solid: Solid, ray: &Ray, range: Range) -> bool {
-        self.nearest_of(solid, ray, range).is_some()
+        match solid {
+            Solid::Leaf(i) => self.nearest_of_leaf(i, ray, range).is_some(),
+            Solid::Compound(i) => self.meets_compound(i, ray, range),
+        }
+    }
+
+    #[inline(never)]
+    fn meets_compound(&self, i: u32, ray: &Ray, range: Range) -> bool {
+        with_lists(|lists| self.compounds[i as usize].is_met(self, &Probe::new(ray), range, lists))
+    }
+
+    /// The same inside a combination.
+    pub fn is_met(&self, solid: Solid, probe: &Probe, range: Range, lists: &mut Lists) -> bool {
+        match solid {
+            Solid::Leaf(i) => self.nearest_of_leaf(i, probe.ray, range).is_some(),
+            Solid::Compound(i) => self.compounds[i as usize].is_met(self, probe, range, lists),
+        }
     }
 
     #[inline]

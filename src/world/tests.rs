@@ -75,6 +75,30 @@ proptest! {
     }
 
     #[test]
+    fn what_is_met_has_a_nearest_crossing(
+        a in solid(), b in solid(), c in solid(), d in solid(), r in ray(), end in 0.0..12.0f64, times in 1..4usize,
+    ) {
+        let ops = [CsgOp::Union, CsgOp::Merge, CsgOp::Intersection, CsgOp::Difference];
+        for op in ops {
+            for outer in ops {
+                let inner = csg(op, &[&a, &b]);
+                let mut members = vec![&inner, &c];
+                // Enough for boxes side by side, and for a tree.
+                (0..times * times - 1).for_each(|_| members.push(&d));
+                let mut whole = csg(outer, &members);
+                // Not to be taken apart.
+                whole.flags.inverse = true;
+                let flat = Flattened::new(&[Arc::new(whole)]);
+                let range = Range::new(0.0, end);
+                for root in &flat.geometry.roots {
+                    let nearest = flat.geometry.nearest_of(root.solid, &r, range);
+                    prop_assert_eq!(flat.geometry.meets(root.solid, &r, range), nearest.is_some());
+                }
+            }
+        }
+    }
+
+    #[test]
     fn de_morgan_holds_for_rays(a in solid(), b in solid(), r in ray()) {
         let left = inverse(&csg(CsgOp::Intersection, &[&a, &b]));
         let right = csg(CsgOp::Merge, &[&inverse(&a), &inverse(&b)]);
