@@ -17,6 +17,7 @@
 //! Numerical care: neighbouring pieces agree about the point where they meet, so no ray slips between them.
 
 use super::curve::{Piece, surround};
+use super::span::within;
 use super::{COINCIDENT, Crossing, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
 
@@ -100,10 +101,14 @@ impl Prism {
     fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
         let (o, d) = (ray.origin.y, ray.dir.y);
         let (a, b, c) = self.trace(ray);
+        let Some(way) = within(ray, range, &self.bounds) else { return };
+        let on_the_way = self.sections(ray, way);
         let mut wanted = range;
         if (a != 0.0 || b != 0.0) && self.corners_part(a, b, c) {
             for (i, piece) in self.pieces.iter().enumerate() {
-                if !piece.may_cross(a, b, c) {
+                let [least, most] = on_the_way;
+                let beside = piece.max.cmplt(least).any() || piece.min.cmpgt(most).any();
+                if beside || !piece.may_cross(a, b, c) {
                     continue;
                 }
                 for w in piece.crossings(a, b, c) {
@@ -127,6 +132,21 @@ impl Prism {
                 wanted.max = wanted.max.min(found(Crossing::on_part(t, part)).next_up());
             }
         }
+    }
+
+    /// Corners of a box in the outline's plane around what stands for a part of a ray.
+    fn sections(&self, ray: &Ray, way: Range) -> [Vec2; 2] {
+        let ends = [way.min, way.max].map(|t| ray.at(t));
+        // Through the apex the way has no ends in the outline's plane.
+        let apex = self.sweep == Sweep::Conic && !(ends[0].y * ends[1].y > 0.0);
+        let (a, b) = (self.section(ends[0]), self.section(ends[1]));
+        if apex || !(a.is_finite() && b.is_finite()) {
+            return [Vec2::NEG_INFINITY, Vec2::INFINITY];
+        }
+        let nearest = if self.sweep == Sweep::Conic { ends[0].y.abs().min(ends[1].y.abs()) } else { 1.0 };
+        let far = ray.origin.abs().max_element() + way.max.abs();
+        let slack = 1e-9 * (a.abs() + b.abs()).max_element() + rounding(64.0 * far) / nearest;
+        [a.min(b) - slack, a.max(b) + slack]
     }
 
     /// Whether a line in the outline's plane passes the box around the outline.

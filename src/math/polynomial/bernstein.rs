@@ -36,8 +36,23 @@ pub(super) fn isolate<const N: usize>(
     let width = high.0 - low.0;
     let coefficients = transformed(c, low.0, width);
     let error = (16 * N) as f64 * EPSILON * magnitude(c, low.0.abs() + width);
+    let whole = Part { coefficients, low, high, depth: 0 };
+    match changes(&whole, error) {
+        Some(0) => true,
+        Some(1) => {
+            push_distinct(bracketed(c, low, high, EXACT), out);
+            true
+        }
+        Some(_) => divide(c, &whole, error, first, out),
+        None => false,
+    }
+}
+
+/// The same where there may be several roots.
+#[inline(never)]
+fn divide<const N: usize>(c: &[f64; N], whole: &Part<N>, error: f64, first: bool, out: &mut Roots) -> bool {
     let before = out.len();
-    let mut todo = [Part { coefficients, low, high, depth: 0 }; DEEPEST + 1];
+    let mut todo = [*whole; DEEPEST + 1];
     let mut left = 1;
     while left > 0 {
         left -= 1;
