@@ -91,7 +91,7 @@ impl BlobComponent {
     /// `1 - rho²` and its gradient at a point, if that is inside the component.
     fn nearness(&self, p: Vec3) -> Option<(f64, Vec3)> {
         let mut u = self.to_unit.transform_point3(p);
-        u.z -= u.z.clamp(0.0, self.length);
+        u.z -= u.z.max(0.0).min(self.length);
         let q = 1.0 - u.length_squared();
         (q > 0.0).then(|| (q, -2.0 * (self.to_unit.matrix3.transpose() * u)))
     }

@@ -214,7 +214,7 @@ impl Shape for Sor {
             return false;
         }
         let span = self.span_at(p.y);
-        let square = value(&span.square, (p.y - span.low).clamp(0.0, span.high - span.low));
+        let square = value(&span.square, (p.y - span.low).max(0.0).min(span.high - span.low));
         p.x * p.x + p.z * p.z <= square + margin * self.outer
     }
 

@@ -80,7 +80,7 @@ impl Torus {
         let slope = ray.dir.x * ray.dir.x + ray.dir.z * ray.dir.z;
         let nearest = -(ray.origin.x * ray.dir.x + ray.origin.z * ray.dir.z) / slope;
         let rim = (major + self.minor) * (1.0 + SLACK);
-        square(nearest.clamp(enter, leave)) > rim * rim
+        square(nearest.max(enter).min(leave)) > rim * rim
     }
 
     /// Lowest power first, for a unit direction.

@@ -117,7 +117,7 @@ pub fn sign_changes(c: &[f64], low: (f64, f64), high: (f64, f64)) -> Roots {
     if c.len() < 3 {
         if (low.1 < 0.0) != (high.1 < 0.0) {
             let root = if c.len() == 2 { -c[0] / c[1] } else { 0.5 * (low.0 + high.0) };
-            out.push(root.clamp(low.0, high.0));
+            out.push(root.max(low.0).min(high.0));
         }
         return out;
     }

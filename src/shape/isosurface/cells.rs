@@ -216,7 +216,7 @@ impl Grid {
             } else {
                 2
             };
-            let leave = next[axis].clamp(t, to);
+            let leave = next[axis].max(t).min(to);
             if leave > t {
                 let found = visit([t, leave], ((at[2] * side + at[1]) * side + at[0]) as usize);
                 if found.is_some() {

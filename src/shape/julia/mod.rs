@@ -217,7 +217,7 @@ impl Julia {
             }
             let guess = match ends {
                 [Some(a), Some(b)] if step % 8 != 7 && a * b < 0.0 => {
-                    (low + width * (a / (a - b))).clamp(low + least, high - least)
+                    (low + width * (a / (a - b))).max(low + least).min(high - least)
                 }
                 _ => f64::NAN,
             };

@@ -181,7 +181,8 @@ fn slopes(surface: &Parametric, low: Vec2, high: Vec2) -> [[Slope; 2]; 3] {
 /// The largest bulge for any rise up to `rise` in size.
 fn bulge_of_any(rise: f64, h: f64, slope: Slope) -> f64 {
     let middle = 0.5 * (slope.0 + slope.1) * h;
-    let at = middle.clamp(-rise, rise);
+    // Not `clamp`, which refuses what is no number.
+    let at = middle.max(-rise).min(rise);
     bulge(0.0, at, h, slope)
 }
 
