@@ -203,7 +203,8 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         if done < within {
             return Some(if self.observer.cancelled() { Ended::Cancelled } else { Ended::Time });
         }
-        if within < tasks.len() {
+        // Where time ends a whole round, all its samples being spent ends it too: the picture is the same.
+        if within < tasks.len() || self.settings.max_samples.is_some_and(|max| self.samples >= max) {
             return Some(Ended::Samples);
         }
         self.is_late(SURVEY_MARGIN * self.surveying).then_some(Ended::Time)
@@ -252,8 +253,9 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let results: Mutex<Vec<(usize, Vec<Found>)>> = Mutex::new(Vec::new());
         self.pool.broadcast(|thread| {
             let mut sampler = self.samplers[thread.index()].lock().expect("threads do not panic");
-            // However little time there is: something is seen.
-            let is_first = || self.samples == 0 && next.load(Ordering::Relaxed) == 0;
+            // However little time there is, a round that was begun adds something: the survey before it has
+            // changed what the picture hangs on, and a repetition by number of samples has to come that far.
+            let is_first = || next.load(Ordering::Relaxed) == 0;
             while !self.observer.cancelled() && (is_first() || !self.is_late(0.0)) {
                 let first = next.fetch_add(chunk, Ordering::Relaxed);
                 let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
