@@ -217,6 +217,16 @@ pub enum Gi {
     Reference,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Accelerator {
+    /// A tree of boxes
+    Bvh,
+    /// A uniform grid
+    Grid,
+    /// A plain list
+    None,
+}
+
 fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
     number.ok_or_else(|| "expected a number above 0".to_owned())
@@ -262,6 +272,9 @@ pub struct RenderArgs {
     /// keeps its size
     #[arg(long, value_name = "x0,y0,x1,y1", value_parser = corners)]
     pub region: Option<Corners>,
+    /// What the scene's objects are kept in; pictures do not depend on it [default: what suits their number]
+    #[arg(long, value_enum, value_name = "bvh|grid|none")]
+    pub accel: Option<Accelerator>,
     /// Write an alpha channel
     #[arg(long)]
     pub alpha: bool,
@@ -316,6 +329,9 @@ pub struct ExplainArgs {
     pub scene_file: PathBuf,
     #[command(flatten)]
     pub scene: SceneArgs,
+    /// What the scene's objects are kept in [default: what suits their number]
+    #[arg(long, value_enum, value_name = "bvh|grid|none")]
+    pub accel: Option<Accelerator>,
     /// Print a JSON object
     #[arg(long)]
     pub json: bool,

@@ -1,9 +1,11 @@
 //! Numbers and space; nothing here knows what a scene is.
 
 mod aabb;
+mod accelerator;
 pub mod bvh;
 pub mod chi_square;
 pub mod field;
+pub mod grid;
 pub mod jitter;
 pub mod noise;
 pub mod polyhedron;
@@ -15,6 +17,7 @@ mod spline;
 mod transform;
 
 pub use aabb::Aabb;
+pub use accelerator::Accelerator;
 pub use range::Range;
 pub use ray::Ray;
 pub use spline::{Spline, SplineKind, SplineValue};

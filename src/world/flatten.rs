@@ -4,6 +4,7 @@
 //! pushed down to the leaves (an inverted union is an intersection of inverted children); top-level unions
 //! are taken apart.
 
+use super::accel::Accel;
 use super::compound::{Child, Compound, Extent, Op};
 use super::geometry::{Geometry, Leaf, NONE, Root, Solid};
 use super::hit::{InteriorId, PhotonRules, PhotonTarget, RayClass, Shading, Surface, SurfaceLayer};
@@ -120,12 +121,12 @@ fn slightly_grown(b: Aabb) -> Aabb {
 }
 
 impl Flattened {
-    pub fn new(objects: &[Arc<Object>]) -> Self {
+    pub fn new(objects: &[Arc<Object>], accel: Accel) -> Self {
         let mut flat = Flattened::default();
         for object in objects {
             flat.top(object, &Inherited::top());
         }
-        flat.geometry.finish();
+        flat.geometry.finish(accel);
         flat
     }
 

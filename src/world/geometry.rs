@@ -1,13 +1,14 @@
 //! Leaves and their combinations, and how rays and points meet them.
 
+use super::accel::{Accel, Finite};
 use super::ball::{Ball, Met};
 use super::compound::Compound;
 use super::hit::{InteriorId, Obstacle, RayClass};
 use super::placement::Placement;
-use super::probe::{Probe, Reach};
+use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
-use crate::math::bvh::{Bvh, Quality};
-use crate::math::{Aabb, Range, Ray, Vec3};
+use crate::math::grid::Grid;
+use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
 use crate::shape::{Crossing, Shape};
 use std::sync::Arc;
 
@@ -71,10 +72,8 @@ pub(super) struct Geometry {
     pub roots: Vec<Root>,
     /// Bounds of each root.
     pub root_bounds: Vec<Aabb>,
-    /// The same for rays, where there is no tree.
-    root_reach: Vec<Reach>,
-    /// Over the finite roots, by place in `finite`; `None` when they are too few.
-    pub tree: Option<Bvh>,
+    /// Over the finite roots, by place in `finite`.
+    pub search: Finite,
     pub finite: Vec<Item>,
     pub infinite: Vec<Item>,
     /// The finite roots by place once more, if most of them are spheres: a ray that misses one touches
@@ -126,12 +125,9 @@ impl Nearest {
     }
 }
 
-/// With so few finite roots a tree costs more than it saves.
-const TREE_FROM: usize = 4;
-
 impl Geometry {
-    /// Sorts the roots into finite and infinite ones and builds the tree.
-    pub fn finish(&mut self) {
+    /// Sorts the roots into finite and infinite ones and makes the finite ones ready for rays.
+    pub fn finish(&mut self, accel: Accel) {
         for (i, (root, b)) in self.roots.iter().zip(&self.root_bounds).enumerate() {
             if b.is_empty() {
                 continue;
@@ -139,17 +135,16 @@ impl Geometry {
             let item = Item::new(i as u32, root);
             if b.is_finite() { self.finite.push(item) } else { self.infinite.push(item) }
         }
-        if self.finite.len() < TREE_FROM {
-            self.root_reach = self.root_bounds.iter().map(Reach::new).collect();
-            return;
-        }
         let boxes: Vec<Aabb> = self.finite.iter().map(|item| self.root_bounds[item.root as usize]).collect();
-        let mut tree = Bvh::build(&boxes, Quality::Best);
-        self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
-        tree.take_order();
-        self.tree = Some(tree);
+        let slow = |i: usize| matches!(self.finite[i].solid, Solid::Compound(_));
+        self.search = Finite::new(accel, &boxes, slow);
+        if let Finite::Tree(tree) = &mut self.search {
+            self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
+            tree.take_order();
+        }
         let is_sphere = |item: &&Item| self.ball(item.solid).is_some();
-        if 2 * self.finite.iter().filter(is_sphere).count() >= self.finite.len() {
+        let spheres = self.finite.iter().filter(is_sphere).count();
+        if !matches!(self.search, Finite::List(_)) && 2 * spheres >= self.finite.len() {
             self.balls = self.finite.iter().map(|item| self.ball(item.solid).unwrap_or(Ball::NONE)).collect();
         }
     }
@@ -163,17 +158,38 @@ impl Geometry {
     /// The nearest crossing among the roots that `class` sees. Of equal distances the root that the scene
     /// names first counts.
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
+        match &self.search {
+            Finite::Tree(tree) => self.nearest_among(tree, ray, range, class),
+            Finite::List(list) => self.nearest_among(list, ray, range, class),
+            Finite::Grid(grid) => self.nearest_in_grid(grid, ray, range, class),
+        }
+    }
+
+    #[inline(never)]
+    fn nearest_in_grid(&self, grid: &Grid, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
+        self.nearest_among(grid, ray, range, class)
+    }
+
+    #[inline(always)]
+    fn nearest_among(
+        &self,
+        finite: &impl Accelerator,
+        ray: &Ray,
+        range: Range,
+        class: RayClass,
+    ) -> Option<Found> {
         let mut best = Nearest { found: None, root: NONE, hidden: class.bit() };
         let mut max = range.max;
         for item in &self.infinite {
             max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
         }
         let range = Range::new(range.min, max);
-        match &self.tree {
-            Some(tree) if self.balls.is_empty() => tree.traverse(ray, range, |place, max| {
+        if self.balls.is_empty() {
+            finite.traverse(ray, range, |place, max| {
                 self.nearer(&mut best, &self.finite[place as usize], ray, Range::new(range.min, max))
-            }),
-            Some(tree) => tree.traverse(ray, range, |place, max| {
+            });
+        } else {
+            finite.traverse(ray, range, |place, max| {
                 let within = Range::new(range.min, max);
                 let item = &self.finite[place as usize];
                 match self.balls[place as usize].meet(ray, within) {
@@ -181,19 +197,7 @@ impl Geometry {
                     Met::Sphere(found) => best.take(item, found, max),
                     Met::Perhaps => self.nearer(&mut best, item, ray, within),
                 }
-            }),
-            None if self.finite.is_empty() => {}
-            None => {
-                let probe = Probe::new(ray);
-                for item in &self.finite {
-                    if self.may_meet(item, &probe, Range::new(range.min, max)) {
-                        max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
-                    }
-                    if max <= range.min {
-                        break;
-                    }
-                }
-            }
+            });
         }
         best.found
     }
@@ -218,6 +222,26 @@ impl Geometry {
     /// What stands in the way of light inside `range`. `last` remembers which opaque root did, and it is asked
     /// first: neighbouring rays are mostly stopped by the same object.
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
+        match &self.search {
+            Finite::Tree(tree) => self.obstacle_among(tree, ray, range, last),
+            Finite::List(list) => self.obstacle_among(list, ray, range, last),
+            Finite::Grid(grid) => self.obstacle_in_grid(grid, ray, range, last),
+        }
+    }
+
+    #[inline(never)]
+    fn obstacle_in_grid(&self, grid: &Grid, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
+        self.obstacle_among(grid, ray, range, last)
+    }
+
+    #[inline(always)]
+    fn obstacle_among(
+        &self,
+        finite: &impl Accelerator,
+        ray: &Ray,
+        range: Range,
+        last: &mut u32,
+    ) -> Obstacle<Found> {
         if *last != NONE {
             let root = &self.roots[*last as usize];
             if root.casts_shadow() && self.meets(root.solid, ray, range) {
@@ -240,35 +264,23 @@ impl Geometry {
             stopped
         };
         let stopped = self.infinite.iter().any(|item| stops(item, None))
-            || match &self.tree {
-                Some(tree) if self.balls.is_empty() => {
-                    tree.any(ray, range, |place| stops(&self.finite[place as usize], None))
-                }
-                Some(tree) => tree.any(ray, range, |place| {
+            || if self.balls.is_empty() {
+                finite.any(ray, range, |place| stops(&self.finite[place as usize], None))
+            } else {
+                finite.any(ray, range, |place| {
                     let met = match self.balls[place as usize].meet(ray, range) {
                         Met::Nothing => return false,
                         Met::Sphere(found) => Some(found.t < range.max),
                         Met::Perhaps => None,
                     };
                     stops(&self.finite[place as usize], met)
-                }),
-                None if self.finite.is_empty() => false,
-                None => {
-                    let probe = Probe::new(ray);
-                    self.finite.iter().any(|item| self.may_meet(item, &probe, range) && stops(item, None))
-                }
+                })
             };
         match (stopped, filter.found) {
             (true, _) => Obstacle::Opaque,
             (false, Some(found)) => Obstacle::Filter(found),
             (false, None) => Obstacle::None,
         }
-    }
-
-    /// Whether a root is worth asking without a tree: a combination takes longer than its box.
-    #[inline]
-    fn may_meet(&self, item: &Item, probe: &Probe, range: Range) -> bool {
-        matches!(item.solid, Solid::Leaf(_)) || probe.meets(&self.root_reach[item.root as usize], range)
     }
 
     /// The roots that contain `p`, in scene order.
@@ -280,15 +292,15 @@ impl Geometry {
             }
         };
         self.infinite.iter().for_each(&mut test);
-        match &self.tree {
-            Some(tree) => {
-                tree.any_at(p, |place| {
-                    test(&self.finite[place as usize]);
-                    false
-                });
-            }
-            None => self.finite.iter().for_each(test),
-        }
+        let in_place = |place: u32| {
+            test(&self.finite[place as usize]);
+            false
+        };
+        match &self.search {
+            Finite::Tree(tree) => tree.any_at(p, in_place),
+            Finite::Grid(grid) => grid.any_at(p, in_place),
+            Finite::List(list) => list.any_at(p, in_place),
+        };
         found.sort_unstable();
         found
     }

@@ -3,6 +3,7 @@
 //! When you hold a [`World`]: CSG children know their transforms to world space, textures and interiors
 //! are inherited, numbered and shared, infinite objects stand apart from the tree.
 
+mod accel;
 mod ball;
 mod compound;
 mod flatten;
@@ -16,6 +17,7 @@ mod stats;
 #[cfg(test)]
 mod tests;
 
+pub use accel::Accel;
 pub use hit::{Hit, InteriorId, Obstacle, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
 pub use stats::Stats;
@@ -84,9 +86,14 @@ pub(crate) struct Inside {
 }
 
 impl World {
-    pub fn prepare(mut scene: Scene) -> World {
+    pub fn prepare(scene: Scene) -> World {
+        World::prepare_with(scene, Accel::default())
+    }
+
+    /// The same with the structure that is to hold the objects.
+    pub fn prepare_with(mut scene: Scene, accel: Accel) -> World {
         let objects = std::mem::take(&mut scene.objects);
-        let mut flat = Flattened::new(&objects);
+        let mut flat = Flattened::new(&objects, accel);
         drop(objects);
         for (i, light) in flat.lights.iter_mut().chain(&mut flat.group_lights).enumerate() {
             light.number = i as u32;

@@ -17,7 +17,9 @@ pub struct Stats {
     pub combinations: usize,
     pub surfaces: usize,
     pub interiors: usize,
-    /// Nodes of the tree over the top-level objects; 0 where none was built.
+    /// What the finite objects are kept in: `bvh`, `grid` or `none`.
+    pub accel: &'static str,
+    /// Nodes of the tree over the top-level objects, or cells of the grid; 0 where there is neither.
     pub tree_nodes: usize,
     pub tree_bytes: usize,
     /// Bytes that shapes keep beyond their own structures, copies counted once.
@@ -34,8 +36,9 @@ impl World {
             combinations: g.compounds.len(),
             surfaces: self.surfaces.len(),
             interiors: self.interiors.len(),
-            tree_nodes: g.tree.as_ref().map_or(0, |t| t.node_count()),
-            tree_bytes: g.tree.as_ref().map_or(0, |t| t.heap_bytes()),
+            accel: g.search.name(),
+            tree_nodes: g.search.node_count(),
+            tree_bytes: g.search.heap_bytes(),
             ..Stats::default()
         };
         let mut counted = std::collections::HashSet::new();

@@ -1,8 +1,9 @@
 //! Laws of combinations, and what hits promise.
 
-use super::ObjectQuery;
 use super::flatten::Flattened;
-use super::hit::RayClass;
+use super::geometry::{Geometry, NONE};
+use super::hit::{Obstacle, RayClass};
+use super::{Accel, ObjectQuery};
 use crate::math::{Range, Ray, Transform, Vec3};
 use crate::scene::{Body, CsgOp, Object};
 use crate::shape::{Cuboid, Plane, Shape, Sphere};
@@ -88,7 +89,7 @@ proptest! {
                 let mut whole = csg(outer, &members);
                 // Not to be taken apart.
                 whole.flags.inverse = true;
-                let flat = Flattened::new(&[Arc::new(whole)]);
+                let flat = Flattened::new(&[Arc::new(whole)], Accel::ByScene);
                 let range = Range::new(0.0, end);
                 for root in &flat.geometry.roots {
                     let nearest = flat.geometry.nearest_of(root.solid, &r, range);
@@ -148,7 +149,7 @@ proptest! {
         let place = Transform::translate(shift * 10f64.powf(e.max(0.0)));
         let scale = 10f64.powf(e.min(0.0));
         o.apply(&Transform::scale(Vec3::splat(scale)).then(&place));
-        let flat = Flattened::new(&[Arc::new(o)]);
+        let flat = Flattened::new(&[Arc::new(o)], Accel::ByScene);
         let r = Ray::new(place.point(r.origin * scale), r.dir);
         let Some(found) = flat.geometry.nearest(&r, Range::FORWARD, RayClass::Image) else { return Ok(()) };
         let hit = flat.geometry.locate(&r, &found);
@@ -160,6 +161,45 @@ proptest! {
         let again = flat.geometry.nearest(&Ray::new(origin, dir), Range::FORWARD, RayClass::Image);
         prop_assert!(again.is_none(), "again at {:?}, error {}", again, hit.error);
         prop_assert!(hit.error <= 1e-9 * (scale + place.forward.translation.length()));
+    }
+}
+
+/// Tree, grid and list find the same, to the bit: nearest hits, what stands in the way of light, and what
+/// contains a point.
+#[test]
+fn accelerators_agree() {
+    let mut random = crate::math::bvh::tests::Random::new(21);
+    let mut objects: Vec<Arc<Object>> = (0..300)
+        .map(|i| {
+            let size = 10f64.powf(-3.0 * random.unit());
+            let c = random.vector(1.5);
+            let ball = shape(Sphere::new(c, 0.2 * size));
+            Arc::new(match i % 7 {
+                0 => shape(Cuboid::new(c, c + random.vector(0.2))),
+                1 => csg(CsgOp::Difference, &[&ball, &shape(Sphere::new(c + 0.1 * size, 0.2 * size))]),
+                _ => ball,
+            })
+        })
+        .collect();
+    // Twice the same, and one around all.
+    objects.push(objects[5].clone());
+    objects.push(Arc::new(shape(Sphere::new(Vec3::ZERO, 1e4))));
+    objects.push(Arc::new(shape(Plane::new(Vec3::Y, -1.0).expect("a plane"))));
+    let made = [Accel::Bvh, Accel::Grid, Accel::None].map(|accel| Flattened::new(&objects, accel).geometry);
+    let [bvh, grid, none] = &made;
+    for i in 0..20_000 {
+        let origin = if i % 5 == 0 { random.direction() * 1e7 } else { random.vector(2.0) };
+        let toward = random.vector(1.5) - origin;
+        let dir = if i % 4 == 0 { random.direction() } else { toward.normalize_or(Vec3::X) };
+        let ray = Ray::new(origin, dir);
+        let range = Range::new(0.0, if i % 3 == 0 { random.unit() * 3.0 } else { f64::INFINITY });
+        let nearest = |g: &Geometry| g.nearest(&ray, range, RayClass::Image).map(|f| (f.t, f.leaf));
+        let stopped = |g: &Geometry| matches!(g.obstacle(&ray, range, &mut NONE.clone()), Obstacle::Opaque);
+        assert_eq!(nearest(grid), nearest(bvh), "{ray:?}");
+        assert_eq!(nearest(none), nearest(bvh), "{ray:?}");
+        assert_eq!((stopped(grid), stopped(none)), (stopped(bvh), stopped(bvh)), "{ray:?}");
+        assert_eq!(grid.roots_at(origin), none.roots_at(origin));
+        assert_eq!(bvh.roots_at(origin), none.roots_at(origin));
     }
 }
 
@@ -192,7 +232,7 @@ fn a_union_falls_apart_and_flags_reach_its_children() {
         csg(CsgOp::Union, &[&shape(Sphere::new(Vec3::ZERO, 1.0)), &shape(Sphere::new(Vec3::X, 1.0))]);
     union.flags.no_shadow = true;
     let plane = shape(Plane::new(Vec3::Y, -1.0).expect("a plane"));
-    let flat = Flattened::new(&[Arc::new(union), Arc::new(plane)]);
+    let flat = Flattened::new(&[Arc::new(union), Arc::new(plane)], Accel::ByScene);
     assert_eq!((flat.geometry.finite.len(), flat.geometry.infinite.len()), (2, 1));
     let down = Ray::new(Vec3::new(0.0, 5.0, 0.0), -Vec3::Y);
     assert_eq!(flat.geometry.nearest(&down, Range::FORWARD, RayClass::Image).map(|f| f.t), Some(4.0));
@@ -204,7 +244,7 @@ fn of_coincident_objects_the_first_in_the_scene_shows() {
     let ball = |x: f64| shape(Sphere::new(Vec3::new(x, 0.0, 0.0), 1.0));
     let objects: Vec<Arc<Object>> =
         [9.0, 0.0, 0.0, 5.0, -7.0, 0.0].into_iter().map(|x| Arc::new(ball(x))).collect();
-    let flat = Flattened::new(&objects);
+    let flat = Flattened::new(&objects, Accel::ByScene);
     let ray = Ray::new(Vec3::new(0.3, 0.2, -5.0), Vec3::Z);
     assert_eq!(flat.geometry.nearest(&ray, Range::FORWARD, RayClass::Image).map(|f| f.leaf), Some(1));
 }
@@ -223,7 +263,7 @@ fn bounds_cut_combinations_ray_by_ray_and_leave_other_shapes() {
         let ray = Ray::new(Vec3::new(x, 0.45 * x, -5.0), Vec3::Z);
         assert_eq!(ObjectQuery::new(&union).trace(&ray).is_some(), in_union, "{x}");
         assert_eq!(ObjectQuery::new(&ball).trace(&ray).is_some(), in_union, "{x}");
-        let flat = Flattened::new(&[Arc::new(ball.clone())]);
+        let flat = Flattened::new(&[Arc::new(ball.clone())], Accel::ByScene);
         assert!(flat.geometry.nearest(&ray, Range::FORWARD, RayClass::Image).is_some(), "{x}");
     }
 }
@@ -240,7 +280,7 @@ fn a_ray_that_starts_on_a_shared_face_sees_the_frame() {
         CsgOp::Difference,
         &[&cut(0.5, 0.5, 0.5), &cut(0.45, 0.45, 1.0), &cut(1.0, 0.45, 0.45), &cut(0.45, 1.0, 0.45)],
     );
-    let flat = Flattened::new(&[Arc::new(frame)]);
+    let flat = Flattened::new(&[Arc::new(frame)], Accel::ByScene);
     let start = Vec3::new(0.1, 0.2, -0.45 - 1e-16);
     for direction in [Vec3::new(1.0, 0.0, -0.01), Vec3::new(1.0, 0.0, -0.001), Vec3::new(1.0, 0.0, -0.1)] {
         let ray = Ray::new(start, direction.normalize());

@@ -16,7 +16,7 @@ pub fn all(world: &World, stats: &Stats, required: &Required) -> Vec<LeftOut> {
     let lights = world.lights.len() + world.group_lights.len();
     let has = |what: &str| required.atmosphere.contains_key(what);
     let candidates = [
-        (stats.tree_nodes == 0, "tree", "too few objects with bounds: each is asked in turn"),
+        (stats.accel == "none", "tree", "too few objects with bounds: each is asked in turn"),
         (lights == 0, "lighting", "there is no light: surfaces show what they emit"),
         (lights > 0 && lights == required.shadowless_lights, "shadow rays", "no light casts shadows"),
         (

@@ -6,6 +6,7 @@ mod required;
 use super::args::ExplainArgs;
 use super::clock::{Lap, peak_rss_bytes};
 use super::exit::{Exit, Failure};
+use super::render::accel;
 use super::scene::{self, Options};
 use super::{interrupt, json, stack};
 use crate::world::World;
@@ -32,6 +33,7 @@ struct Built {
     finite_objects: usize,
     infinite_objects: usize,
     /// Nodes of the tree over the finite ones; 0 where there is none.
+    accel: &'static str,
     tree_nodes: usize,
     tree_bytes: usize,
     /// Textures as they sit on objects.
@@ -64,7 +66,7 @@ fn explain(args: &ExplainArgs, options: &Options) -> Result<Report, Failure> {
     let mut lap = Lap::new(&counted);
     let parsed = scene::parse(&args.scene_file, options, true)?;
     let parse_cpu_s = lap.next();
-    let world = World::prepare(parsed.scene);
+    let world = World::prepare_with(parsed.scene, accel(args.accel));
     let prepare_cpu_s = lap.next();
     let stats = world.stats();
     let required = Required::of(&world, &stats);
@@ -75,6 +77,7 @@ fn explain(args: &ExplainArgs, options: &Options) -> Result<Report, Failure> {
         built: Built {
             finite_objects: stats.finite_objects,
             infinite_objects: stats.infinite_objects,
+            accel: stats.accel,
             tree_nodes: stats.tree_nodes,
             tree_bytes: stats.tree_bytes,
             surfaces: stats.surfaces,
@@ -96,7 +99,7 @@ impl Report {
         let b = &self.built;
         let lines = [
             ("objects", format!("{} finite, {} infinite, at the top", b.finite_objects, b.infinite_objects)),
-            ("tree", format!("{} nodes, {}", b.tree_nodes, bytes(b.tree_bytes as u64))),
+            ("kept in", format!("{}: {} nodes, {}", b.accel, b.tree_nodes, bytes(b.tree_bytes as u64))),
             ("surfaces", b.surfaces.to_string()),
             ("interiors", b.interiors.to_string()),
             ("shapes keep", bytes(b.shape_bytes as u64)),

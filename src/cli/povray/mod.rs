@@ -85,6 +85,7 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
             .clamp(4, i64::from(width.max(height)).max(4)) as u32,
         quality: settings.int("Quality").unwrap_or(9).clamp(0, 9) as u8,
         overrides: Default::default(),
+        accel: Default::default(),
         alpha: settings.flag("Output_Alpha", false),
         bits: kind.bits,
         grey: kind.grey,

@@ -116,7 +116,7 @@ impl<'a> Job<'a> {
         let mut lap = Lap::new(&self.plan.counted);
         let parsed = scene::parse(&self.task.scene, &self.task.options, self.plan.quiet)?;
         let parse_cpu_s = lap.next();
-        let world = World::prepare(parsed.scene);
+        let world = World::prepare_with(parsed.scene, self.plan.accel);
         let prepare_cpu_s = lap.next();
         let traced = Instant::now();
         let live = self.start(&world);

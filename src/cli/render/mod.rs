@@ -9,7 +9,7 @@ mod report;
 
 pub use accuracy::{parse_error, parse_seconds, quoted};
 pub use job::Task;
-pub use plan::{Plan, pool};
+pub use plan::{Plan, accel, pool};
 pub use radiosity::RadiosityFiles;
 
 use accuracy::Reached;

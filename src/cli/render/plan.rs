@@ -2,12 +2,13 @@
 
 use super::accuracy::Accuracy;
 use super::radiosity::RadiosityFiles;
-use crate::cli::args::{AaMethod, Corners, Gi, OverrideArgs, PictureArgs, RenderArgs};
+use crate::cli::args::{AaMethod, Accelerator, Corners, Gi, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
 use crate::color::Gamma;
 use crate::picture::{Dither, Encoding, FileGamma, Pixel};
 use crate::render::{Antialias, Method, Region, Settings};
 use crate::trace::{self, Overrides};
+use crate::world::Accel;
 use std::sync::Mutex;
 
 /// The size of a picture that nobody asked for otherwise.
@@ -27,6 +28,7 @@ pub struct Plan {
     pub block_size: u32,
     pub quality: u8,
     pub overrides: Overrides,
+    pub accel: Accel,
     pub alpha: bool,
     pub bits: u8,
     pub grey: bool,
@@ -57,6 +59,7 @@ impl Plan {
             block_size: Settings::BLOCK_SIZE,
             quality: p.quality.min(9),
             overrides: overrides(&args.overrides),
+            accel: accel(args.accel),
             alpha: args.alpha,
             bits: if args.bits == "16" { 16 } else { 8 },
             grey: false,
@@ -118,6 +121,16 @@ fn overrides(args: &OverrideArgs) -> Overrides {
         media_samples: args.media_samples,
         media_intervals: args.media_intervals,
         reference: args.gi == Gi::Reference,
+    }
+}
+
+/// What the scene's objects are to be kept in.
+pub fn accel(asked: Option<Accelerator>) -> Accel {
+    match asked {
+        None => Accel::ByScene,
+        Some(Accelerator::Bvh) => Accel::Bvh,
+        Some(Accelerator::Grid) => Accel::Grid,
+        Some(Accelerator::None) => Accel::None,
     }
 }
 

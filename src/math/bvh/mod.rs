@@ -15,7 +15,7 @@ mod build;
 mod chunks;
 mod traverse;
 
-use super::{Aabb, Vec3};
+use super::{Aabb, Accelerator, Range, Ray, Vec3};
 
 pub use build::Quality;
 
@@ -144,6 +144,27 @@ impl Bvh {
     }
 }
 
+/// Nearer boxes come first.
+impl Accelerator for Bvh {
+    #[inline(always)]
+    fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+        Bvh::traverse(self, ray, range, visit);
+    }
+
+    #[inline(always)]
+    fn any(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> bool) -> bool {
+        Bvh::any(self, ray, range, visit)
+    }
+
+    fn any_at(&self, p: Vec3, visit: impl FnMut(u32) -> bool) -> bool {
+        Bvh::any_at(self, p, visit)
+    }
+
+    fn heap_bytes(&self) -> usize {
+        Bvh::heap_bytes(self)
+    }
+}
+
 /// The places in `order` of a leaf's primitives.
 #[inline(always)]
 fn leaf_places(entry: u32) -> std::ops::Range<u32> {
@@ -153,4 +174,4 @@ fn leaf_places(entry: u32) -> std::ops::Range<u32> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -1,8 +1,8 @@
 use super::{Bvh, Quality};
-use crate::math::{Aabb, Range, Ray, Vec3};
+use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
 
 /// A small generator, so that the tests repeat.
-pub(super) struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
@@ -52,12 +52,18 @@ fn sphere_hit(ray: &Ray, c: Vec3, r: f64) -> Option<f64> {
     [b - root, b + root].into_iter().find(|t| *t > 0.0)
 }
 
-/// Nearest sphere by tree and by brute force for `rays` rays; they must agree exactly.
-fn compare(spheres: &[(Vec3, f64)], rays: usize, random: &mut Random, origins: impl Fn(&mut Random) -> Vec3) {
+/// Nearest sphere by what `build` makes of the boxes and by brute force for `rays` rays; they must agree exactly.
+fn compare<A: Accelerator>(
+    build: &impl Fn(&[Aabb]) -> Vec<A>,
+    spheres: &[(Vec3, f64)],
+    rays: usize,
+    random: &mut Random,
+    origins: impl Fn(&mut Random) -> Vec3,
+) {
     let boxes: Vec<Aabb> = spheres.iter().map(|(c, r)| Aabb::new(*c, *c).grown(*r)).collect();
-    for quality in [Quality::Best, Quality::Fast] {
-        let bvh = Bvh::build(&boxes, quality);
-        for _ in 0..rays / 2 {
+    let built = build(&boxes);
+    for accelerator in &built {
+        for _ in 0..rays / built.len() {
             let origin = origins(random);
             let aim = &spheres[(random.unit() * spheres.len() as f64) as usize];
             let toward = (aim.0 + random.vector(aim.1) - origin).normalize_or(Vec3::X);
@@ -65,7 +71,7 @@ fn compare(spheres: &[(Vec3, f64)], rays: usize, random: &mut Random, origins: i
             let ray = Ray::new(origin, dir);
             let brute = spheres.iter().filter_map(|(c, r)| sphere_hit(&ray, *c, *r)).reduce(f64::min);
             let mut best = None;
-            bvh.traverse(&ray, Range::FORWARD, |i, max| {
+            accelerator.traverse(&ray, Range::FORWARD, |i, max| {
                 let (c, r) = spheres[i as usize];
                 match sphere_hit(&ray, c, r) {
                     Some(t) if t < max => {
@@ -80,23 +86,25 @@ fn compare(spheres: &[(Vec3, f64)], rays: usize, random: &mut Random, origins: i
     }
 }
 
-fn cases(rays: usize) {
+/// `rays` rays in each of six scenes that are hard on numbers.
+pub fn cases<A: Accelerator>(build: impl Fn(&[Aabb]) -> Vec<A>, rays: usize) {
+    let build = &build;
     let mut random = Random::new(1);
     let even: Vec<(Vec3, f64)> = (0..300).map(|_| (random.vector(1.0), 0.05 * random.unit())).collect();
-    compare(&even, rays, &mut random, |r| r.vector(2.0));
+    compare(build, &even, rays, &mut random, |r| r.vector(2.0));
     // Origins a million scene sizes away.
-    compare(&even, rays, &mut random, |r| r.direction() * 1e6 + r.vector(1.0));
+    compare(build, &even, rays, &mut random, |r| r.direction() * 1e6 + r.vector(1.0));
     // Far from the origin of space, and tiny.
     let far: Vec<(Vec3, f64)> = even.iter().map(|(c, r)| (*c + Vec3::splat(1e6), *r)).collect();
-    compare(&far, rays, &mut random, |r| r.vector(2.0) + Vec3::splat(1e6));
+    compare(build, &far, rays, &mut random, |r| r.vector(2.0) + Vec3::splat(1e6));
     let tiny: Vec<(Vec3, f64)> = even.iter().map(|(c, r)| (*c * 1e-9, *r * 1e-9)).collect();
-    compare(&tiny, rays, &mut random, |r| r.vector(2e-9));
+    compare(build, &tiny, rays, &mut random, |r| r.vector(2e-9));
     // Extents of 1 : 10^8 in one scene, with a sky around it.
     let mut mixed: Vec<(Vec3, f64)> =
         (0..300).map(|_| (random.vector(1.0), 10f64.powf(-8.0 * random.unit()))).collect();
     mixed.push((Vec3::ZERO, 1e8));
     mixed.push((Vec3::new(0.0, -1e7, 0.0), 1e7 - 1.0));
-    compare(&mixed, rays, &mut random, |r| r.vector(2.0));
+    compare(build, &mixed, rays, &mut random, |r| r.vector(2.0));
     // Sizes and places spread over eight decades.
     let spread: Vec<(Vec3, f64)> = (0..300)
         .map(|_| {
@@ -104,7 +112,7 @@ fn cases(rays: usize) {
             (random.vector(scale), 0.2 * scale * random.unit())
         })
         .collect();
-    compare(&spread, rays, &mut random, |r| {
+    compare(build, &spread, rays, &mut random, |r| {
         let scale = 10f64.powf(-8.0 * r.unit());
         r.vector(2.0 * scale)
     });
@@ -113,18 +121,19 @@ fn cases(rays: usize) {
 /// Six cases, 10^7 rays in all.
 #[test]
 fn tree_and_brute_force_agree_for_ten_million_rays() {
-    cases(10_000_000 / 6 + 2);
+    let both = |boxes: &[Aabb]| [Quality::Best, Quality::Fast].map(|q| Bvh::build(boxes, q)).into();
+    cases(both, 10_000_000 / 6 + 2);
 }
 
-#[test]
-fn rays_along_faces_of_boxes_reach_their_primitives() {
+/// Rays along the faces of 64 boxes side by side reach every box that they touch.
+pub fn faces<A: Accelerator>(build: impl Fn(&[Aabb]) -> A) {
     let boxes: Vec<Aabb> = (0..64)
         .map(|i| {
             let c = Vec3::new(f64::from(i % 4), f64::from(i / 4 % 4), f64::from(i / 16));
             Aabb::new(c, c + 1.0)
         })
         .collect();
-    let bvh = Bvh::build(&boxes, Quality::Best);
+    let accelerator = build(&boxes);
     for axis in 0..3 {
         for a in 0..5 {
             for b in 0..5 {
@@ -134,7 +143,7 @@ fn rays_along_faces_of_boxes_reach_their_primitives() {
                 let mut dir = Vec3::ZERO;
                 dir[axis] = 1.0;
                 let mut seen = std::collections::BTreeSet::new();
-                bvh.traverse(&Ray::new(origin, dir), Range::FORWARD, |i, max| {
+                accelerator.traverse(&Ray::new(origin, dir), Range::FORWARD, |i, max| {
                     seen.insert(i);
                     max
                 });
@@ -148,6 +157,11 @@ fn rays_along_faces_of_boxes_reach_their_primitives() {
             }
         }
     }
+}
+
+#[test]
+fn rays_along_faces_of_boxes_reach_their_primitives() {
+    faces(|boxes| Bvh::build(boxes, Quality::Best));
 }
 
 #[test]
