@@ -7,7 +7,6 @@ use super::hit::{InteriorId, Obstacle, RayClass};
 use super::placement::Placement;
 use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
-use crate::math::grid::Grid;
 use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
 use crate::shape::{Crossing, Shape};
 use std::sync::Arc;
@@ -160,14 +159,18 @@ impl Geometry {
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
         match &self.search {
             Finite::Tree(tree) => self.nearest_among(tree, ray, range, class),
-            Finite::List(list) => self.nearest_among(list, ray, range, class),
-            Finite::Grid(grid) => self.nearest_in_grid(grid, ray, range, class),
+            _ => self.nearest_treeless(ray, range, class),
         }
     }
 
+    /// Apart, so that trees' own way stays short.
     #[inline(never)]
-    fn nearest_in_grid(&self, grid: &Grid, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
-        self.nearest_among(grid, ray, range, class)
+    fn nearest_treeless(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
+        match &self.search {
+            Finite::Tree(_) => None,
+            Finite::Grid(grid) => self.nearest_among(grid, ray, range, class),
+            Finite::List(list) => self.nearest_among(list, ray, range, class),
+        }
     }
 
     #[inline(always)]
@@ -224,14 +227,17 @@ impl Geometry {
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
         match &self.search {
             Finite::Tree(tree) => self.obstacle_among(tree, ray, range, last),
-            Finite::List(list) => self.obstacle_among(list, ray, range, last),
-            Finite::Grid(grid) => self.obstacle_in_grid(grid, ray, range, last),
+            _ => self.obstacle_treeless(ray, range, last),
         }
     }
 
     #[inline(never)]
-    fn obstacle_in_grid(&self, grid: &Grid, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
-        self.obstacle_among(grid, ray, range, last)
+    fn obstacle_treeless(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
+        match &self.search {
+            Finite::Tree(_) => Obstacle::None,
+            Finite::Grid(grid) => self.obstacle_among(grid, ray, range, last),
+            Finite::List(list) => self.obstacle_among(list, ray, range, last),
+        }
     }
 
     #[inline(always)]
