@@ -14,9 +14,8 @@
 
 use super::cylinder::{direction_and_length, end_span};
 use super::span::Span;
-use super::{COINCIDENT, Crossing, Shape, rounding};
+use super::{COINCIDENT, Chord, Crossing, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Vec3};
-use smallvec::SmallVec;
 
 const WALL: u32 = 0;
 const BASE: u32 = 1;
@@ -35,7 +34,10 @@ pub struct Cone {
     open: bool,
 }
 
-type Spans = SmallVec<[Span; 2]>;
+/// At most two parts of a line, the first one in the first place.
+type Pieces = [Option<Span>; 2];
+
+const NOTHING: Pieces = [None, None];
 
 impl Cone {
     /// `None` if the ends coincide.
@@ -45,25 +47,27 @@ impl Cone {
         Some(Self { base, axis, length, base_radius, cap_radius, slope, open })
     }
 
-    fn spans(&self, ray: &Ray) -> Spans {
+    /// The parts of a line that are inside, in order.
+    fn pieces(&self, ray: &Ray) -> Pieces {
         let oc = ray.origin - self.base;
         let (height, climb) = (oc.dot(self.axis), ray.dir.dot(self.axis));
-        let mut spans = self.wall(oc, ray.dir, height, climb);
-        if spans.is_empty() {
-            return spans;
+        let walls = self.wall(oc, ray.dir, height, climb);
+        if walls[0].is_none() {
+            return NOTHING;
         }
-        let Some(ends) = end_span(height, climb, self.length) else { return Spans::new() };
-        spans.retain(|s| {
+        let Some(ends) = end_span(height, climb, self.length) else { return NOTHING };
+        walls.map(|wall| {
+            let wall = wall?;
             // A line through the apex may touch the wall; one that grazes a rim misses.
-            let touches = s.enter.0 == s.leave.0;
-            *s = if self.open { ends.intersection(*s) } else { s.intersection(ends) };
-            s.enter.0 < s.leave.0 || (touches && !s.is_empty())
-        });
-        spans
+            let touches = wall.enter.0 == wall.leave.0;
+            let span = if self.open { ends.intersection(wall) } else { wall.intersection(ends) };
+            (span.enter.0 < span.leave.0 || (touches && !span.is_empty())).then_some(span)
+        })
     }
 
     /// Where a line is inside the endless double cone: `a t² + 2 b t + c <= 0`.
-    fn wall(&self, oc: Vec3, dir: Vec3, height: f64, climb: f64) -> Spans {
+    #[inline]
+    fn wall(&self, oc: Vec3, dir: Vec3, height: f64, climb: f64) -> Pieces {
         let (across, sideways) = (oc - height * self.axis, dir - climb * self.axis);
         let (radius, growth) = (self.base_radius + self.slope * height, self.slope * climb);
         let a = sideways.length_squared() - growth * growth;
@@ -72,44 +76,37 @@ impl Cone {
         let disc = b * b - a * c;
         if disc < 0.0 || disc.is_nan() {
             // A line steeper than the cone always passes through it; any other misses it.
-            return if a < 0.0 { [Span::line(WALL)].into_iter().collect() } else { Spans::new() };
+            return if a < 0.0 { [Some(Span::line(WALL)), None] } else { NOTHING };
         }
         let q = -(b + disc.sqrt().copysign(b));
         if q == 0.0 {
-            return if c <= 0.0 && a <= 0.0 {
-                [Span::line(WALL)].into_iter().collect()
-            } else {
-                self.touch(a, b)
-            };
+            let always = c <= 0.0 && a <= 0.0;
+            return if always { [Some(Span::line(WALL)), None] } else { Self::touch(a, b) };
         }
         let (t0, t1) = (q / a, c / q);
-        let (t0, t1) = (t0.min(t1), t0.max(t1));
+        let (t0, t1) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
         if a > 0.0 {
-            return [Span::new(t0, t1, WALL)].into_iter().collect();
+            return [Some(Span::new(t0, t1, WALL)), None];
         }
+        let (before, behind) = (f64::NEG_INFINITY, f64::INFINITY);
         if a == 0.0 {
             let t = c / q;
-            let span = if b > 0.0 {
-                Span::new(f64::NEG_INFINITY, t, WALL)
-            } else {
-                Span::new(t, f64::INFINITY, WALL)
-            };
-            return [span].into_iter().collect();
+            let span = if b > 0.0 { Span::new(before, t, WALL) } else { Span::new(t, behind, WALL) };
+            return [Some(span), None];
         }
-        [Span::new(f64::NEG_INFINITY, t0, WALL), Span::new(t1, f64::INFINITY, WALL)].into_iter().collect()
+        [Some(Span::new(before, t0, WALL)), Some(Span::new(t1, behind, WALL))]
     }
 
     /// A line through the apex that meets the cone nowhere else.
-    fn touch(&self, a: f64, b: f64) -> Spans {
-        if a > 0.0 { [Span::new(-b / a, -b / a, WALL)].into_iter().collect() } else { Spans::new() }
+    fn touch(a: f64, b: f64) -> Pieces {
+        if a > 0.0 { [Some(Span::new(-b / a, -b / a, WALL)), None] } else { NOTHING }
     }
 
-    fn ends(&self, ray: &Ray, range: Range) -> SmallVec<[Crossing; 4]> {
-        let mut out = SmallVec::new();
-        for span in self.spans(ray) {
-            out.extend(span.ends(range, None).filter(|c| !(self.open && c.part != WALL)));
-        }
-        out
+    /// The crossings inside `range`, in order.
+    #[inline]
+    fn ends(&self, ray: &Ray, range: Range) -> impl Iterator<Item = Crossing> {
+        let shown = |c: &Crossing| !(self.open && c.part != WALL);
+        self.pieces(ray).into_iter().flatten().flat_map(move |span| span.ends(range, None)).filter(shown)
     }
 }
 
@@ -127,7 +124,17 @@ impl Shape for Cone {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        super::nearest_of(&self.ends(ray, range))
+        self.ends(ray, range).next()
+    }
+
+    fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
+        if self.open || self.base_radius * self.cap_radius < 0.0 {
+            return None;
+        }
+        // Two parts touch at the apex.
+        let [first, second] = self.pieces(ray);
+        let joined = |a: Span, b: Span| Span { enter: a.enter, leave: b.leave };
+        Some(Chord::within(first.zip(second).map(|(a, b)| joined(a, b)).or(first).or(second)))
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -9,7 +9,7 @@
 //! both, only if the ray's component there is strictly larger.
 
 use super::span::{slab, tie};
-use super::{COINCIDENT, Crossing, Shape, rounding};
+use super::{COINCIDENT, Chord, Crossing, Shape, Span, rounding};
 use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
 
 /// Parts: 0 and 1 are the sides at small and large x, 2 and 3 at y, 4 and 5 at z.
@@ -125,6 +125,12 @@ impl Shape for Cuboid {
             return Some(enter);
         }
         range.contains(leave.t).then_some(leave)
+    }
+
+    fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
+        let end = |c: Crossing| (c.t, c.part);
+        let span = self.ends(ray).map(|[enter, leave]| Span { enter: end(enter), leave: end(leave) });
+        Some(Chord::within(span))
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -11,7 +11,7 @@
 //! that touches the wall misses; on a rim the end disc shows, unless there is none.
 
 use super::span::{Span, slab};
-use super::{COINCIDENT, Crossing, Shape, rounding};
+use super::{COINCIDENT, Chord, Crossing, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Vec3};
 
 /// Part of the wall.
@@ -97,6 +97,10 @@ impl Shape for Cylinder {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.span(ray)?.ends(range, None).find(|c| !self.skipped(c))
+    }
+
+    fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
+        (!self.open).then(|| Chord::within(self.span(ray)))
     }
 
     fn contains(&self, p: Vec3) -> bool {

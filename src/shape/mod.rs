@@ -58,6 +58,7 @@ pub use polygon::{Polygon, is_closed as is_closed_polygon};
 pub use prism::{Prism, Sweep};
 pub use quadric::Quadric;
 pub use sor::{Sor, SorError};
+pub use span::{Chord, Span};
 pub use sphere::Sphere;
 pub(crate) use sphere::sphere_span;
 pub use sphere_sweep::{SphereSweep, SweepKind};
@@ -156,6 +157,12 @@ pub trait Shape: Debug + Send + Sync {
         let nearest = nearest_of(&all);
         SPARE.set(all);
         nearest
+    }
+
+    /// Where the ray's line is inside, for solids that tell it in one piece with the crossings: always `None` or
+    /// never. Ends that lie in `range` are those of [`Shape::crossings`], others need only lie outside.
+    fn chord(&self, _ray: &Ray, _range: Range) -> Option<Chord> {
+        None
     }
 
     /// Whether `p` is inside the solid. Surfaces without an inside say no.

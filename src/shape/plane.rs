@@ -8,7 +8,7 @@
 //! Numerical care: a ray counts as parallel only when rounding alone could have tilted it. The half space
 //! is closed, and so is the one that `inverse` gives.
 
-use super::{COINCIDENT, Crossing, Shape, rounding};
+use super::{COINCIDENT, Chord, Crossing, Shape, Span, rounding};
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
 use std::sync::Arc;
 
@@ -55,6 +55,16 @@ impl Shape for Plane {
         let speed = self.normal.dot(ray.dir);
         let t = -self.height(ray.origin) / speed;
         (speed.abs() > PARALLEL && range.contains(t)).then(|| Crossing::new(t))
+    }
+
+    fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
+        let speed = self.normal.dot(ray.dir);
+        if speed.abs() <= PARALLEL {
+            return Some(if self.contains(ray.origin) { Chord::INSIDE } else { Chord::OUTSIDE });
+        }
+        let t = -self.height(ray.origin) / speed;
+        let (enter, leave) = if speed < 0.0 { (t, f64::INFINITY) } else { (f64::NEG_INFINITY, t) };
+        Some(Chord::within(Some(Span::new(enter, leave, 0))))
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -14,7 +14,7 @@
 //! center of coordinates, so a distant origin costs no digits; the quadratic is solved without cancellation
 //! and each root is refined once on the surface itself. A ray that only touches misses.
 
-use super::{COINCIDENT, Crossing, Shape, rounding};
+use super::{COINCIDENT, Chord, Crossing, Shape, Span, rounding};
 use crate::math::{Aabb, Range, Ray, Vec3};
 use glam::DMat3;
 use std::sync::Arc;
@@ -61,8 +61,18 @@ impl Quadric {
     /// The line's crossings in order, before refinement; infinite where there is only one.
     fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
         let shift = -ray.origin.dot(ray.dir);
+        self.roots_of(self.along(ray, shift), shift)
+    }
+
+    /// Curvature, half the slope and the value at the ray's point at `shift`.
+    #[inline]
+    fn along(&self, ray: &Ray, shift: f64) -> [f64; 3] {
         let p = ray.at(shift);
-        let (a, half_b, c) = (self.curvature(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p));
+        [self.curvature(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p)]
+    }
+
+    #[inline]
+    fn roots_of(&self, [a, half_b, c]: [f64; 3], shift: f64) -> Option<[f64; 2]> {
         if a == 0.0 {
             return (half_b != 0.0).then(|| [shift - 0.5 * c / half_b, f64::INFINITY]);
         }
@@ -75,17 +85,16 @@ impl Quadric {
         Some([shift + s0.min(s1), shift + s0.max(s1)])
     }
 
-    /// Root `t` refined once on the surface, if it lies in `range` then.
-    fn refined(&self, ray: &Ray, t: f64, range: Range) -> Option<f64> {
+    /// Root `t` refined once on the surface, if it is anywhere near `range`.
+    fn refined(&self, ray: &Ray, t: f64, range: Range) -> f64 {
         // Refinement moves no root that far.
         let slack = 1e-4 * (t.abs() + ray.origin.abs().max_element());
         if !Range::new(range.min - slack, range.max + slack).contains(t) {
-            return None;
+            return t;
         }
         let at = ray.at(t);
         let better = t - self.value(at) / self.gradient(at).dot(ray.dir);
-        let t = if better.is_finite() { better } else { t };
-        range.contains(t).then_some(t)
+        if better.is_finite() { better } else { t }
     }
 
     /// The bounds of an ellipsoid or, along the axes, of a cylinder; infinite for everything else.
@@ -206,7 +215,8 @@ impl Shape for Quadric {
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         let Some(roots) = self.roots(ray) else { return };
         let first = out.len();
-        out.extend(roots.into_iter().filter_map(|t| self.refined(ray, t, range)).map(Crossing::new));
+        let exact = roots.into_iter().map(|t| self.refined(ray, t, range));
+        out.extend(exact.filter(|&t| range.contains(t)).map(Crossing::new));
         if let [a, b] = &mut out[first..]
             && a.t > b.t
         {
@@ -215,7 +225,25 @@ impl Shape for Quadric {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.roots(ray)?.into_iter().find_map(|t| self.refined(ray, t, range)).map(Crossing::new)
+        let mut exact = self.roots(ray)?.into_iter().map(|t| self.refined(ray, t, range));
+        exact.find(|&t| range.contains(t)).map(Crossing::new)
+    }
+
+    fn chord(&self, ray: &Ray, range: Range) -> Option<Chord> {
+        let shift = -ray.origin.dot(ray.dir);
+        let form @ [a, half_b, c] = self.along(ray, shift);
+        let Some([first, last]) = self.roots_of(form, shift) else {
+            let inside = if a == 0.0 { c <= 0.0 } else { a < 0.0 };
+            return Some(if inside { Chord::INSIDE } else { Chord::OUTSIDE });
+        };
+        let exact = |t: f64| self.refined(ray, t, range);
+        if a == 0.0 {
+            let t = exact(first);
+            let (enter, leave) = if half_b < 0.0 { (t, f64::INFINITY) } else { (f64::NEG_INFINITY, t) };
+            return Some(Chord::within(Some(Span::new(enter, leave, 0))));
+        }
+        let (t0, t1) = (exact(first), exact(last));
+        Some(Chord { span: Span::new(t0.min(t1), t0.max(t1), 0), beyond: a < 0.0 })
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -5,12 +5,15 @@ use crate::math::{Aabb, EPSILON, Range, Ray};
 
 /// An interval of ray parameters with the part of the surface at each end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Span {
+pub struct Span {
     pub enter: (f64, u32),
     pub leave: (f64, u32),
 }
 
 impl Span {
+    /// No part of the line.
+    pub const NOWHERE: Span = Span { enter: (f64::INFINITY, 0), leave: (f64::NEG_INFINITY, 0) };
+
     #[inline]
     pub fn new(enter: f64, leave: f64, part: u32) -> Self {
         Self { enter: (enter, part), leave: (leave, part) }
@@ -42,6 +45,25 @@ impl Span {
             .into_iter()
             .filter(move |&(t, part)| range.contains(t) && Some(part) != skip)
             .map(|(t, part)| Crossing::on_part(t, part))
+    }
+}
+
+/// What a line has of a solid that it is inside of once, or all along but once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    pub span: Span,
+    /// Whether the line is inside everywhere but in the span.
+    pub beyond: bool,
+}
+
+impl Chord {
+    pub const OUTSIDE: Chord = Chord { span: Span::NOWHERE, beyond: false };
+    pub const INSIDE: Chord = Chord { span: Span::NOWHERE, beyond: true };
+
+    /// The inside is in the span, or there is none.
+    #[inline]
+    pub fn within(span: Option<Span>) -> Chord {
+        Chord { span: span.unwrap_or(Span::NOWHERE), beyond: false }
     }
 }
 

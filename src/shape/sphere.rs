@@ -11,7 +11,7 @@
 //!
 //! Reference: E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
 
-use super::{Crossing, Place, Shape, rounding};
+use super::{Chord, Crossing, Place, Shape, Span, rounding};
 use crate::math::{Aabb, Range, Ray, Vec2, Vec3};
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ pub(crate) fn sphere_span(oc: Vec3, dir: Vec3, radius: f64) -> Option<(f64, f64)
     let q = -(along + half_chord2.sqrt().copysign(along));
     let product = oc.length_squared() - radius * radius;
     let other = product / q;
-    Some((q.min(other), q.max(other)))
+    Some(if q < other { (q, other) } else { (other, q) })
 }
 
 /// Angle about the y axis as a fraction of a turn: 0 at +x, growing towards +z; 0 on the axis.
@@ -63,6 +63,11 @@ impl Shape for Sphere {
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let (t0, t1) = sphere_span(ray.origin - self.center, ray.dir, self.radius)?;
         [t0, t1].into_iter().find(|&t| range.contains(t)).map(Crossing::new)
+    }
+
+    fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
+        let span = sphere_span(ray.origin - self.center, ray.dir, self.radius);
+        Some(Chord::within(span.map(|(t0, t1)| Span::new(t0, t1, 0))))
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -8,10 +8,11 @@
 //! outside of which the child's answer to "do you contain this point" is known.
 
 use super::geometry::{Found, Geometry, Solid};
+use super::intersection::tie_tolerance;
 use super::probe::{AT_ONCE, Octet, Probe, Reach};
 use super::scratch::Lists;
 use crate::math::bvh::Bvh;
-use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
+use crate::math::{Aabb, Range, Ray, Vec3};
 use smallvec::SmallVec;
 
 /// So many boxes are better tested all at once than one by one.
@@ -52,7 +53,8 @@ impl Extent {
 
     /// The part that lies in all clips.
     pub fn clipped(self, clips: &[Child]) -> Extent {
-        let whole = Child { solid: Solid::Leaf(0), reach: Reach::new(&self.surface), extent: self };
+        let reach = Reach::new(&self.surface);
+        let whole = Child { solid: Solid::Leaf(0), reach, extent: self, tight: false };
         let all: Vec<Child> = std::iter::once(whole).chain(clips.iter().copied()).collect();
         let both = Self::combined(Op::Intersection, &all);
         Extent { surface: self.surface.intersection(both.surface), ..both }
@@ -66,10 +68,12 @@ pub(super) struct Child {
     /// A ray that misses this box crosses none of the child's surfaces.
     pub reach: Reach,
     pub extent: Extent,
+    /// Whether a ray that misses the box is outside as the hull has it, or inside, all along.
+    pub tight: bool,
 }
 
 impl Child {
-    fn contains(&self, geometry: &Geometry, p: Vec3) -> bool {
+    pub fn contains(&self, geometry: &Geometry, p: Vec3) -> bool {
         if self.extent.hull.contains(p) { geometry.contains(self.solid, p) } else { self.extent.outside }
     }
 }
@@ -89,22 +93,6 @@ pub(super) struct Compound {
     pub gates: Vec<Solid>,
     /// Around an intersection with members that are not bounded: what they are asked about is cut to this.
     pub around: Option<Reach>,
-}
-
-/// All crossings of the children of an intersection along one ray: a stretch of the list of
-/// crossings, and whose each is.
-struct Candidates {
-    first: usize,
-    owners: SmallVec<[u32; 16]>,
-    /// What each child says of the whole range, for children that the ray does not cross there.
-    constant: SmallVec<[Constant; 16]>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Constant {
-    Crossed,
-    Unknown,
-    Inside,
 }
 
 impl Compound {
@@ -158,9 +146,7 @@ impl Compound {
             Op::Intersection => {
                 let range = self.within(probe, range)?;
                 let candidates = self.candidates(geometry, probe, range, lists)?;
-                let nearest = self.nearest_kept(geometry, probe.ray, range, candidates, lists);
-                lists.found.truncate(nearest.1);
-                nearest.0
+                self.nearest_kept(geometry, probe, candidates, lists)
             }
         }
     }
@@ -170,16 +156,8 @@ impl Compound {
         match self.op {
             Op::Intersection if self.gates.is_empty() => {
                 let Some(range) = self.within(probe, range) else { return false };
-                let Some(mut candidates) = self.candidates(geometry, probe, range, lists) else {
-                    return false;
-                };
-                let first = candidates.first;
-                let met = (0..candidates.owners.len()).any(|i| {
-                    self.keeps(geometry, probe.ray, range, i, &mut candidates, lists)
-                        && self.is_unclipped(geometry, probe.ray.at(lists.found[first + i].t))
-                });
-                lists.found.truncate(first);
-                met
+                let candidates = self.candidates(geometry, probe, range, lists);
+                candidates.is_some_and(|c| self.any_kept(geometry, probe, c, lists))
             }
             Op::Union if self.clips.is_empty() && self.gates.is_empty() => match &self.tree {
                 Some(tree) => tree.any(probe.ray, range, |i| {
@@ -296,30 +274,6 @@ impl Compound {
         best
     }
 
-    /// The first candidate that the other children let stand, and where the candidates began.
-    fn nearest_kept(
-        &self,
-        geometry: &Geometry,
-        ray: &Ray,
-        range: Range,
-        mut candidates: Candidates,
-        lists: &mut Lists,
-    ) -> (Option<Found>, usize) {
-        let first = candidates.first;
-        let found = &lists.found[first..];
-        // By distance; of equal ones the last first.
-        let mut order: SmallVec<[u32; 16]> = SmallVec::new();
-        for (i, f) in found.iter().enumerate() {
-            let place = order.iter().rposition(|&o| found[o as usize].t < f.t).map_or(0, |p| p + 1);
-            order.insert(place, i as u32);
-        }
-        let kept = order.into_iter().map(|i| i as usize).find(|&i| {
-            self.keeps(geometry, ray, range, i, &mut candidates, lists)
-                && self.is_unclipped(geometry, ray.at(lists.found[first + i].t))
-        });
-        (kept.map(|i| lists.found[first + i]), first)
-    }
-
     /// Appends every crossing inside `range`, children in order.
     pub fn crossings(&self, geometry: &Geometry, probe: &Probe, range: Range, lists: &mut Lists) {
         if !self.gates.is_empty() && !self.opens(geometry, probe.ray) {
@@ -333,13 +287,10 @@ impl Compound {
             Op::Merge => self.crossings_of_merge(geometry, probe, range, lists),
             Op::Intersection => {
                 let Some(range) = self.within(probe, range) else { return };
-                let Some(mut candidates) = self.candidates(geometry, probe, range, lists) else { return };
-                let count = candidates.owners.len();
-                let keeps: SmallVec<[bool; 16]> = (0..count)
-                    .map(|i| self.keeps(geometry, probe.ray, range, i, &mut candidates, lists))
-                    .collect();
-                let mut keeps = keeps.iter();
-                retain_from(&mut lists.found, first, |_| *keeps.next().unwrap_or(&true));
+                if let Some(candidates) = self.candidates(geometry, probe, range, lists) {
+                    self.keep(geometry, probe, candidates, lists);
+                }
+                return;
             }
         }
         if !self.clips.is_empty() {
@@ -396,7 +347,7 @@ impl Compound {
         }
     }
 
-    fn is_unclipped(&self, geometry: &Geometry, p: Vec3) -> bool {
+    pub fn is_unclipped(&self, geometry: &Geometry, p: Vec3) -> bool {
         self.clips.iter().all(|c| c.contains(geometry, p))
     }
 
@@ -442,75 +393,6 @@ impl Compound {
             }
         }
     }
-
-    /// All children's crossings, appended to the list. `None` (and nothing appended) if the ray plainly stays
-    /// outside an intersection.
-    fn candidates(
-        &self,
-        geometry: &Geometry,
-        probe: &Probe,
-        range: Range,
-        lists: &mut Lists,
-    ) -> Option<Candidates> {
-        let first = lists.found.len();
-        let mut owners = SmallVec::new();
-        let mut constant = SmallVec::new();
-        if !self.clips.iter().all(|c| c.extent.outside || probe.meets(&c.reach, range)) {
-            return None;
-        }
-        for (i, child) in self.children.iter().enumerate() {
-            let before = lists.found.len();
-            if probe.meets(&child.reach, range) {
-                geometry.crossings(child.solid, probe, range, lists);
-            }
-            if lists.found.len() > before {
-                (before..lists.found.len()).for_each(|_| owners.push(i as u32));
-                constant.push(Constant::Crossed);
-            } else if geometry.is_upright_leaf(child.solid) && !child.contains(geometry, probe.middle(range))
-            {
-                // Outside in the middle, and all the way.
-                lists.found.truncate(first);
-                return None;
-            } else {
-                constant.push(Constant::Unknown);
-            }
-        }
-        (!owners.is_empty()).then_some(Candidates { first, owners, constant })
-    }
-
-    /// Whether the other children let candidate number `i` stand.
-    fn keeps(
-        &self,
-        geometry: &Geometry,
-        ray: &Ray,
-        range: Range,
-        i: usize,
-        candidates: &mut Candidates,
-        lists: &Lists,
-    ) -> bool {
-        let Candidates { first, owners, constant } = candidates;
-        let all = &lists.found[*first..*first + owners.len()];
-        let (found, child) = (&all[i], owners[i] as usize);
-        let p = ray.at(found.t);
-        let tolerance = tie_tolerance(ray, found.t);
-        let tied = |other: usize| {
-            let same = |(f, &c): (&Found, &u32)| c as usize == other && (f.t - found.t).abs() <= tolerance;
-            all.iter().zip(owners.iter()).any(same)
-        };
-        let holds = |o: usize| self.children[o].contains(geometry, p);
-        let clear = found.t - range.min > tolerance && range.max - found.t > tolerance;
-        (0..self.children.len()).filter(|&o| o != child).all(|o| match constant[o] {
-            Constant::Inside => true,
-            Constant::Crossed => holds(o) || tied(o),
-            Constant::Unknown => {
-                let inside = holds(o);
-                if inside && clear {
-                    constant[o] = Constant::Inside;
-                }
-                inside
-            }
-        })
-    }
 }
 
 /// Keeps what `keep` says of the list from place `first` on.
@@ -523,11 +405,6 @@ fn retain_from(list: &mut Vec<Found>, first: usize, mut keep: impl FnMut(&Found)
         }
     }
     list.truncate(kept);
-}
-
-/// Distances this close are the same point: a few roundings of everything that went into them.
-fn tie_tolerance(ray: &Ray, t: f64) -> f64 {
-    16.0 * EPSILON * (ray.origin.abs().max_element() + t.abs())
 }
 
 /// Whether two crossings at one point face the same way.

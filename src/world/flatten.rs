@@ -105,12 +105,13 @@ struct Built {
 impl Built {
     fn child(self) -> Child {
         let reach = Reach::new(&self.bounds.intersection(self.extent.surface));
-        Child { solid: self.solid, reach, extent: self.extent }
+        let tight = matches!(self.solid, Solid::Leaf(_)) && self.extent.surface == self.extent.hull;
+        Child { solid: self.solid, reach, extent: self.extent, tight }
     }
 
     /// The same as something that only keeps what it contains.
     fn clip(self) -> Child {
-        Child { solid: self.solid, reach: Reach::new(&self.extent.hull), extent: self.extent }
+        Child { solid: self.solid, reach: Reach::new(&self.extent.hull), extent: self.extent, tight: false }
     }
 }
 

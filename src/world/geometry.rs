@@ -8,7 +8,7 @@ use super::placement::Placement;
 use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
 use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
-use crate::shape::{Crossing, Shape};
+use crate::shape::{Chord, Crossing, Shape};
 use std::sync::Arc;
 
 /// No surface, no cutaway: an index that is never given out.
@@ -61,6 +61,14 @@ pub(super) struct Found {
     pub leaf: u32,
     /// As the shape reported it, `t` in its own units.
     pub crossing: Crossing,
+}
+
+impl Found {
+    /// A crossing that has no surface parameters.
+    #[inline]
+    pub fn on_part(t: f64, leaf: u32, local: f64, part: u32) -> Found {
+        Found { t, leaf, crossing: Crossing::on_part(local, part) }
+    }
 }
 
 /// All geometry of a world, or of one object that a scene asks about while it is read.
@@ -374,6 +382,22 @@ impl Geometry {
                 Some(Found { t: crossing.t / length, leaf: index, crossing })
             }
         }
+    }
+
+    /// See [`Shape::chord`]: in the shape's units, and how many of them are one of the world's.
+    #[inline]
+    pub fn chord(&self, solid: Solid, ray: &Ray, range: Range) -> Option<(Chord, f64)> {
+        let Solid::Leaf(i) = solid else { return None };
+        let leaf = &self.leaves[i as usize];
+        let (mut chord, length) = match &leaf.place {
+            None => (leaf.shape.chord(ray, range)?, 1.0),
+            Some(place) => {
+                let (local, length) = place.inverse_ray(ray);
+                (leaf.shape.chord(&local, range.scaled(length))?, length)
+            }
+        };
+        chord.beyond ^= leaf.inverted;
+        Some((chord, length))
     }
 
     /// Appends every crossing inside `range` to `lists.found`, children in order.

@@ -9,6 +9,7 @@ mod compound;
 mod flatten;
 mod geometry;
 mod hit;
+mod intersection;
 mod placement;
 mod probe;
 mod query;

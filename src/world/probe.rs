@@ -65,6 +65,8 @@ pub(super) struct Probe<'r> {
     inverse: Vec3A,
     /// Bound on the rounding of the origin and of its distance from a box that it is near to.
     pad: Vec3A,
+    /// At least the largest of the origin's coordinates.
+    size: f64,
 }
 
 /// Bound on the relative rounding of a distance in single precision.
@@ -75,7 +77,8 @@ impl<'r> Probe<'r> {
     pub fn new(ray: &'r Ray) -> Self {
         let (origin, dir) = (ray.origin.as_vec3a(), ray.dir.as_vec3a());
         let pad = origin.abs() * (2.0 * f32::EPSILON) + f32::MIN_POSITIVE;
-        Self { ray, origin, inverse: dir.recip(), pad }
+        let size = f64::from((origin.abs() + pad).max_element());
+        Self { ray, origin, inverse: dir.recip(), pad, size }
     }
 
     /// A point well inside `range`.
@@ -88,9 +91,15 @@ impl<'r> Probe<'r> {
         }
     }
 
+    /// The largest of the origin's coordinates, or a little more.
+    #[inline]
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
     /// A step that rounding does not swallow.
     fn far(&self) -> f64 {
-        1.0 + self.ray.origin.abs().max_element()
+        1.0 + self.size
     }
 
     /// Whether the ray may meet a box; true when in doubt.
