@@ -70,8 +70,21 @@ pub struct Aim {
     pub spacing: f64,
     pub parallel: bool,
     center: Vec3,
+    starts: Vec<Start>,
     /// Angle, or radius for parallel light, of the last ring.
     end: f64,
+}
+
+/// A lamp that photons start from.
+#[derive(Clone, Copy, Debug)]
+struct Start {
+    lamp: Vec3,
+    /// Towards the target, or along parallel light.
+    axis: Vec3,
+    /// Across the axis.
+    side: Vec3,
+    /// The share of the light.
+    share: f64,
 }
 
 /// A photon about to start.
@@ -151,7 +164,8 @@ impl Aim {
             () => (radius / distance).asin(),
         };
         let usable = radius.is_finite() && radius > 0.0 && spacing > 0.0 && spacing.is_finite();
-        usable.then_some(Self { light: number, target, spacing, parallel, center, end })
+        let starts = starts(light, center, parallel);
+        usable.then_some(Self { light: number, target, spacing, parallel, center, starts, end })
     }
 
     /// Distance between rings.
@@ -189,44 +203,21 @@ impl Aim {
         while phi < TAU + first - 0.5 * around {
             let shaken = phi + around * (random.draw() - 0.5) * jitter;
             let t = t + step * (random.draw() - 0.5) * jitter;
-            self.lamps(light, t, shaken, &mut visit);
+            for start in &self.starts {
+                self.shot(light, start, (t, shaken), &mut visit);
+            }
             phi += around;
         }
     }
 
-    /// One photon from each lamp.
-    fn lamps(&self, light: &Light, t: f64, phi: f64, visit: &mut impl FnMut(Ray, f32)) {
-        let area = light.area.as_ref().filter(|_| light.photons.area_light && !self.parallel);
-        let Some(area) = area else { return self.lamp(light, Vec3::ZERO, 1.0, (t, phi), visit) };
-        let part = |i: u32, n: u32| if n > 1 { f64::from(i) / f64::from(n - 1) - 0.5 } else { 0.0 };
-        let share = 1.0 / f64::from(area.size1 * area.size2);
-        for u in 0..area.size1 {
-            for v in 0..area.size2 {
-                let offset = part(u, area.size1) * area.axis1 + part(v, area.size2) * area.axis2;
-                self.lamp(light, offset, share, (t, phi), visit);
-            }
-        }
-    }
-
-    fn lamp(
-        &self,
-        light: &Light,
-        offset: Vec3,
-        share: f64,
-        (t, phi): (f64, f64),
-        visit: &mut impl FnMut(Ray, f32),
-    ) {
-        let lamp = light.location + offset;
-        let towards = self.center - lamp;
+    fn shot(&self, light: &Light, start: &Start, (t, phi): (f64, f64), visit: &mut impl FnMut(Ray, f32)) {
+        let Start { lamp, axis, side, share } = *start;
         let ray = if self.parallel {
-            let axis = light.axis();
-            let aside = turned(across(axis) * t, axis, phi);
-            let back = axis.dot(towards);
-            Ray::new(self.center - axis * back + aside, axis)
+            let back = axis.dot(self.center - lamp);
+            Ray::new(self.center - axis * back + turned(side * t, axis, phi), axis)
         } else {
-            let axis = towards.normalize_or(Vec3::Z);
-            let direction = t.cos() * axis - t.sin() * across(axis);
-            Ray::new(lamp, turned(direction, axis, phi).normalize_or(axis))
+            let (sin, cos) = t.sin_cos();
+            Ray::new(lamp, turned(cos * axis - sin * side, axis, phi).normalize_or(axis))
         };
         let cone = match &light.kind {
             LightKind::Point => 1.0,
@@ -242,6 +233,22 @@ impl Aim {
             visit(ray, (cone * share) as f32);
         }
     }
+}
+
+/// The lamps of a light that shoots at `center`.
+fn starts(light: &Light, center: Vec3, parallel: bool) -> Vec<Start> {
+    let start = |offset: Vec3, share: f64| {
+        let lamp = light.location + offset;
+        let axis = if parallel { light.axis() } else { (center - lamp).normalize_or(Vec3::Z) };
+        Start { lamp, axis, side: across(axis), share }
+    };
+    let area = light.area.as_ref().filter(|_| light.photons.area_light && !parallel);
+    let Some(area) = area else { return vec![start(Vec3::ZERO, 1.0)] };
+    let part = |i: u32, n: u32| if n > 1 { f64::from(i) / f64::from(n - 1) - 0.5 } else { 0.0 };
+    let share = 1.0 / f64::from(area.size1 * area.size2);
+    let offset = |u: u32, v: u32| part(u, area.size1) * area.axis1 + part(v, area.size2) * area.axis2;
+    let places = (0..area.size1).flat_map(|u| (0..area.size2).map(move |v| (u, v)));
+    places.map(|(u, v)| start(offset(u, v), share)).collect()
 }
 
 /// A unit vector across `axis`.

@@ -1,9 +1,9 @@
 //! Photons by place: a balanced tree over an array, the middle of a range being its root.
 //!
-//! The search is that of the reference, not an exact nearest-n one. The limit begins to shrink only with
-//! the photon after the last that there was room for, which always takes the place of the farthest. And the
-//! reference's way of finding a median leaves ranges of two the wrong way round, so that about one photon
-//! in a hundred on the rim of a search is missed; following it costs nothing, and keeps its pictures.
+//! The search is that of the reference, not an exact nearest-n one: the reference's way of finding a median
+//! leaves ranges of two the wrong way round, so that about one photon in a hundred on the rim of a search is
+//! missed. Following it costs nothing, and keeps its pictures. Which ones are missed hangs on how far the search
+//! goes in the end; in the reference on how far it still went when it came by, which hardly ever differs.
 //!
 //! Reference: H. W. Jensen, "Realistic Image Synthesis Using Photon Mapping", 2001, chapter 6.
 
@@ -37,19 +37,29 @@ struct Part {
 }
 
 /// Photons around a point.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Nearby {
-    /// Squared distance, and place in the map.
+    /// Squared distance, and place in the map, in the order in which the tree is visited.
     pub members: Vec<(f64, u32)>,
     /// How far the search went in the end.
     pub radius: f64,
+    /// How far the last search went that found more than enough: the next one looks there first. What is
+    /// found does not depend on it.
+    hint: f64,
+    keys: Vec<f64>,
+}
+
+impl Default for Nearby {
+    fn default() -> Self {
+        Self { members: Vec::new(), radius: 0.0, hint: f64::INFINITY, keys: Vec::new() }
+    }
 }
 
 /// Ranges up to this many photons are looked at one by one.
-const LEAF: usize = 12;
+const LEAF: usize = 16;
 
-/// The limit does not shrink by more while a small part is looked at, or hardly ever.
-const SURELY: f64 = 0.5;
+/// By how much the next search looks farther than the last one went.
+const MARGIN: f64 = 1.2;
 
 /// Stands on the wrong side of several planes.
 const OFTEN: u8 = u8::MAX;
@@ -77,12 +87,16 @@ impl Metric {
 struct Search<'a> {
     map: &'a PhotonMap,
     metric: Metric,
-    /// Squared distance of the farthest photon that still counts.
+    /// Squared distance from which photons do not count.
     limit: f64,
+    /// The same, a little larger, for distances in single precision from `near`.
+    reach: f32,
+    near: glam::Vec3,
     most: usize,
     /// There were more than `most`.
     full: bool,
     found: &'a mut Vec<(f64, u32)>,
+    keys: &'a mut Vec<f64>,
 }
 
 impl PhotonMap {
@@ -120,12 +134,41 @@ impl PhotonMap {
             return;
         }
         let metric = Metric { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) };
-        let limit = radius * radius;
-        let mut search = Search { map: self, metric, limit, most, full: false, found: &mut found.members };
+        let hint = MARGIN * found.hint;
+        if hint < radius && self.search(&metric, hint, most, found) {
+            return;
+        }
+        found.members.clear();
+        if !self.search(&metric, radius, most, found) {
+            found.hint = f64::INFINITY;
+        }
+    }
+
+    /// Whether there are more than `most` photons within `radius`.
+    fn search(&self, metric: &Metric, radius: f64, most: usize, found: &mut Nearby) -> bool {
+        let (near, members, keys) = (metric.point.as_vec3(), &mut found.members, &mut found.keys);
+        let metric = Metric { ..*metric };
+        let mut search = Search {
+            map: self,
+            metric,
+            limit: 0.0,
+            reach: 0.0,
+            near,
+            most,
+            full: false,
+            found: members,
+            keys,
+        };
+        search.shrink(radius * radius);
         search.run();
+        if search.found.len() > most {
+            search.choose();
+        }
         if search.full {
             found.radius = search.limit.sqrt();
+            found.hint = found.radius;
         }
+        search.full
     }
 
     /// Where photon `i` lies, seen from `p`.
@@ -184,96 +227,106 @@ impl Search<'_> {
     #[inline]
     fn middle(&mut self, place: u32, axis: usize) -> f64 {
         let away = self.map.away(place as usize, self.metric.point);
-        let along = away[axis];
         let square = self.metric.square(away);
-        if square < self.limit && along * along <= self.limit {
+        if square < self.limit {
             self.take(square, place);
         }
-        along
+        away[axis]
     }
 
-    /// Looks at all photons of a small part. Their order counts only while there is room, and for those that
-    /// the search may miss.
+    /// Looks at all photons of a small part: first at where they are in single precision.
     fn scan(&mut self, part: &Part) {
-        let (first, count) = (part.first as usize, part.count as usize);
-        let mut squares = [0.0; LEAF];
-        for (i, square) in squares[..count].iter_mut().enumerate() {
-            *square = self.metric.square(self.map.away(first + i, self.metric.point));
+        let range = part.first as usize..(part.first + part.count) as usize;
+        let [x, y, z] = &self.map.places;
+        let (x, y, z) = (&x[range.clone()], &y[range.clone()], &z[range]);
+        let mut squares = [0.0f32; LEAF];
+        for (((square, x), y), z) in squares.iter_mut().zip(x).zip(y).zip(z) {
+            let away = glam::Vec3::new(*x, *y, *z) - self.near;
+            *square = away.length_squared();
         }
-        let squares = &squares[..count];
-        let near = squares.iter().filter(|&&s| s < self.limit).count();
-        if near == 0 {
-            return;
-        }
-        if !self.full && self.found.len() + near > self.most {
-            return self.walk(part.first, part.count);
-        }
-        let mut missed = 0u32;
-        for (i, _) in squares.iter().enumerate().filter(|(_, s)| **s < self.limit) {
-            match self.is_missed(first, i) {
-                Some(skip) => missed |= u32::from(skip) << i,
-                None => return self.walk(part.first, part.count),
-            }
-        }
-        for (i, &square) in squares.iter().enumerate() {
-            if square < self.limit && missed >> i & 1 == 0 {
-                self.take(square, (first + i) as u32);
+        for (i, &square) in squares[..x.len()].iter().enumerate() {
+            if square < self.reach {
+                let place = part.first as usize + i;
+                let square = self.metric.square(self.map.away(place, self.metric.point));
+                if square < self.limit {
+                    self.take(self.passed_by(part, i, square), place as u32);
+                }
             }
         }
     }
 
-    /// Whether the search passes by photon `i` of the part at `first`, because it is filed on the far side of a
-    /// plane though it stands on the near one. `None` where that hangs on the order.
+    /// The squared distance up to which a search passes by photon `i` of a part, `square` away: it may be filed
+    /// on the far side of a plane though it stands on the near one, and is found only if the plane is near
+    /// enough.
     #[inline]
-    fn is_missed(&self, first: usize, i: usize) -> Option<bool> {
-        let plane = match self.map.astray[first + i] {
-            0 => return Some(false),
-            OFTEN => return None,
-            n => usize::from(n) - 1,
-        };
-        let axis = split_axis(&self.map.photons[first + plane]);
-        let along = f64::from(self.map.places[axis][first + plane]) - self.metric.point[axis];
-        let is_far = (along > 0.0) == (i > plane);
-        let square = along * along;
-        match is_far && square >= SURELY * self.limit {
-            false => Some(false),
-            true if square >= self.limit || !self.full => Some(square >= self.limit),
-            true => None,
+    fn passed_by(&self, part: &Part, i: usize, square: f64) -> f64 {
+        match self.map.astray[part.first as usize + i] {
+            0 => square,
+            OFTEN => self.behind_planes(part, i, square),
+            n => square.max(self.behind(part, i, usize::from(n) - 1)),
         }
     }
 
-    /// The photons of a small part in the order of the tree.
-    fn walk(&mut self, first: u32, count: u32) {
-        if count == 0 {
-            return;
-        }
-        let half = (count - 1) / 2;
-        let middle = first + half;
-        let along = self.middle(middle, split_axis(&self.map.photons[middle as usize]));
-        let (low, high) = ((first, half), (middle + 1, count - 1 - half));
-        let (near, far) = if along > 0.0 { (low, high) } else { (high, low) };
-        self.walk(near.0, near.1);
-        if along * along < self.limit {
-            self.walk(far.0, far.1);
+    /// The squared distance of the plane of a part's photon, if photon `i` is filed behind it.
+    fn behind(&self, part: &Part, i: usize, plane: usize) -> f64 {
+        let at = part.first as usize + plane;
+        let axis = split_axis(&self.map.photons[at]);
+        let along = f64::from(self.map.places[axis][at]) - self.metric.point[axis];
+        if (along > 0.0) == (i > plane) { along * along } else { 0.0 }
+    }
+
+    /// The same for all planes above the photon.
+    #[cold]
+    fn behind_planes(&self, part: &Part, i: usize, mut square: f64) -> f64 {
+        let (mut first, mut count) = (0, part.count as usize);
+        loop {
+            let middle = first + (count - 1) / 2;
+            if i == middle {
+                return square;
+            }
+            square = square.max(self.behind(part, i, middle));
+            (first, count) =
+                if i < middle { (first, middle - first) } else { (middle + 1, first + count - middle - 1) };
         }
     }
 
-    /// Keeps a photon nearer than the limit. From the one after the last that there is room for, each takes
-    /// the place of the farthest.
+    /// Keeps a photon nearer than the limit.
+    #[inline]
     fn take(&mut self, square: f64, place: u32) {
-        let found = &mut *self.found;
-        if found.len() < self.most {
-            return found.push((square, place));
+        if square < self.limit {
+            self.found.push((square, place));
+            if self.found.len() >= 2 * self.most + LEAF {
+                self.choose();
+            }
         }
-        if !self.full {
-            (0..self.most / 2).rev().for_each(|i| sift_down(found, i));
-            self.full = true;
-        }
-        found[0] = (square, place);
-        sift_down(found, 0);
-        self.limit = found[0].0;
+    }
+
+    /// Keeps the nearest `most` of the photons so far, in their order.
+    fn choose(&mut self) {
+        let most = self.most;
+        self.keys.clear();
+        self.keys.extend(self.found.iter().map(|f| f.0));
+        let (nearer, &mut farthest, _) = self.keys.select_nth_unstable_by(most - 1, f64::total_cmp);
+        let mut room = most - nearer.iter().filter(|&&s| s < farthest).count();
+        self.found.retain(|&(square, _)| {
+            let last = square == farthest && room > 0;
+            room -= usize::from(last);
+            square < farthest || last
+        });
+        self.full = true;
+        self.shrink(farthest);
+    }
+
+    fn shrink(&mut self, limit: f64) {
+        self.limit = limit;
+        let radius = limit.sqrt();
+        let error = SINGLE * (self.metric.point.abs().max_element() + radius);
+        self.reach = ((radius + error).powi(2) * (1.0 + SINGLE)) as f32;
     }
 }
+
+/// More than rounding to single precision changes a distance by, as a share of the numbers that go into it.
+const SINGLE: f64 = 1e-6;
 
 /// Appends the parts of a range of the tree that begins at `first`.
 fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
@@ -324,26 +377,6 @@ fn split_axis(photon: &PackedPhoton) -> usize {
     usize::from(photon.axis.min(2))
 }
 
-/// Restores the heap, the farthest first, below `i`.
-fn sift_down(heap: &mut [(f64, u32)], mut i: usize) {
-    let moved = heap[i];
-    loop {
-        let mut child = 2 * i + 1;
-        if child >= heap.len() {
-            break;
-        }
-        if child + 1 < heap.len() && heap[child + 1].0 > heap[child].0 {
-            child += 1;
-        }
-        if heap[child].0 <= moved.0 {
-            break;
-        }
-        heap[i] = heap[child];
-        i = child;
-    }
-    heap[i] = moved;
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -383,24 +416,40 @@ mod tests {
         assert!(found.radius < 2.0 && found.members.iter().all(|m| m.0 <= found.radius.powi(2) * 1.000001));
     }
 
-    /// The rule of the reference, photon by photon.
+    /// The rule of the reference, photon by photon: but for one photon in a few hundred that the reference still
+    /// finds behind a plane, as its search was wider when it came by.
     #[test]
     fn a_full_search_is_that_of_the_reference() {
         let map = PhotonMap::new(scattered(3000));
-        let mut found = Nearby::default();
+        let (mut found, mut others) = (Nearby::default(), 0);
         for i in 0..60 {
             let p = Vec3::new(f64::from(i) * 0.15 - 4.0, 0.1, 0.5);
             let normal = (i % 2 == 0).then_some(Vec3::Y);
             map.gather(p, 1.5, 40, normal, &mut found);
             let mut slow = Slow { p, normal, square: 2.25, radius: 1.5, kept: Vec::new() };
             slow.visit(&map.photons, 0);
-            let sorted = |list: &[(f64, u32)]| {
-                let mut places: Vec<u32> = list.iter().map(|m| m.1).collect();
-                places.sort_unstable();
-                places
-            };
-            assert_eq!(sorted(&found.members), sorted(&slow.kept));
-            assert_eq!(found.radius, slow.radius);
+            assert_eq!(found.members.len(), slow.kept.len());
+            let is_kept = |m: &&(f64, u32)| slow.kept.iter().any(|k| k.1 == m.1);
+            let same = found.members.iter().filter(is_kept).count();
+            others += slow.kept.len() - same;
+            assert!((found.radius - slow.radius).abs() < 0.1 * slow.radius);
+            assert!(same < slow.kept.len() || found.radius == slow.radius);
+        }
+        assert!(others <= 8, "{others} of 2400");
+    }
+
+    /// Where the last search ended does not matter.
+    #[test]
+    fn hints_change_nothing() {
+        let map = PhotonMap::new(scattered(3000));
+        let mut kept = Nearby::default();
+        for i in 0..200 {
+            let f = f64::from(i);
+            let p = Vec3::new((f * 0.9).sin() * 6.0, 0.2 * (f * 1.7).cos(), (f * 2.3).sin() * 4.0);
+            let mut fresh = Nearby::default();
+            map.gather(p, 1.5, 40, Some(Vec3::Y), &mut fresh);
+            map.gather(p, 1.5, 40, Some(Vec3::Y), &mut kept);
+            assert_eq!((&kept.members, kept.radius), (&fresh.members, fresh.radius));
         }
     }
 

@@ -8,6 +8,7 @@
 
 use crate::color::Rgb;
 use crate::math::Vec3;
+use glam::Vec4;
 
 /// Light gathered at one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,14 +124,43 @@ impl Cell {
     }
 }
 
-/// What a search reads first of a sample.
+/// What a search reads first of samples: four side by side, in single precision. Places are counted from the
+/// centre of their cell, so that rounding stays small against their reach.
 #[derive(Clone, Copy, Debug)]
-struct Head {
-    point: Vec3,
-    radius: f32,
-    normal: glam::Vec3,
-    /// Place in `Cache::samples`.
-    place: u32,
+struct Heads {
+    /// By axis. Lanes without a sample lie at infinity.
+    points: [Vec4; 3],
+    normals: [Vec4; 3],
+    radii: Vec4,
+    /// Places in `Cache::samples`.
+    places: [u32; 4],
+}
+
+impl Heads {
+    const NONE: Self =
+        Self { points: [Vec4::INFINITY; 3], normals: [Vec4::ZERO; 3], radii: Vec4::ZERO, places: [NONE; 4] };
+
+    fn set(&mut self, lane: usize, from_center: Vec3, sample: &Sample, place: u32) {
+        let (point, normal) = (from_center.as_vec3(), sample.normal.as_vec3());
+        for axis in 0..3 {
+            self.points[axis][lane] = point[axis];
+            self.normals[axis][lane] = normal[axis];
+        }
+        self.radii[lane] = sample.radius;
+        self.places[lane] = place;
+    }
+
+    /// A bit for each sample whose radius reaches `p` and whose normal is near enough.
+    #[inline]
+    fn near(&self, p: glam::Vec3, slack: f32, search: &Search) -> u32 {
+        let [x, y, z] = self.points;
+        let (x, y, z) = (x - p.x, y - p.y, z - p.z);
+        let reach = self.radii * search.bound + slack;
+        let [nx, ny, nz] = self.normals;
+        let cosine = nx * search.normal.x + ny * search.normal.y + nz * search.normal.z;
+        let near = (x * x + y * y + z * z).cmplt(reach * reach);
+        (near & cosine.cmpgt(Vec4::splat(search.cosine))).bitmask()
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -140,17 +170,30 @@ struct Node {
     /// A bit for each child that there is.
     present: u8,
     /// The newest last.
-    samples: Vec<Head>,
+    samples: Vec<Heads>,
+    count: usize,
 }
 
 impl Node {
     fn new(cell: Cell) -> Self {
-        Self { cell, children: [NONE; 8], present: 0, samples: Vec::new() }
+        Self { cell, children: [NONE; 8], present: 0, samples: Vec::new(), count: 0 }
     }
 
     fn adopt(&mut self, octant: usize, child: u32) {
         self.children[octant] = child;
         self.present |= 1 << octant;
+    }
+
+    fn add(&mut self, sample: &Sample, place: u32) {
+        let lane = self.count % 4;
+        if lane == 0 {
+            self.samples.push(Heads::NONE);
+        }
+        self.count += 1;
+        let from_center = sample.point + CORNER - self.cell.center;
+        if let Some(heads) = self.samples.last_mut() {
+            heads.set(lane, from_center, sample, place);
+        }
     }
 }
 
@@ -189,14 +232,8 @@ impl Cache {
         }
         let root = self.root.map_or(cell, |root| root.joined(cell));
         self.root = Some(root);
-        let head = Head {
-            point: sample.point,
-            radius: sample.radius,
-            normal: sample.normal.as_vec3(),
-            place: self.samples.len() as u32,
-        };
+        self.trees[depth].insert(cell, &sample, self.samples.len() as u32);
         self.samples.push(sample);
-        self.trees[depth].insert(cell, head);
     }
 
     /// Calls `visit` with the samples of `depth` that are seen from `p`, whose radius times `bound` reaches it
@@ -206,7 +243,8 @@ impl Cache {
         let Some(root) = tree.nodes.get(tree.root as usize) else { return };
         // An error of 2 sqrt(1 - cosine) must stay below the bound.
         let cosine = (1.0 - 0.25 * bound * bound - ROUNDING) as f32;
-        let search = Search { p, shifted: p + CORNER, bound, normal: normal.as_vec3(), cosine };
+        let (normal, bound) = (normal.as_vec3(), (bound * (1.0 + ROUNDING)) as f32);
+        let search = Search { shifted: p + CORNER, bound, normal, cosine };
         let inside = root.cell.holds(search.shifted);
         if inside {
             self.visit_children(tree, root, &search, &mut visit);
@@ -229,13 +267,19 @@ impl Cache {
         }
     }
 
+    #[inline]
     fn visit_samples(&self, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
-        for head in node.samples.iter().rev() {
-            let reach = f64::from(head.radius) * search.bound;
-            if search.p.distance_squared(head.point) < reach * reach
-                && search.normal.dot(head.normal) > search.cosine
-            {
-                visit(&self.samples[head.place as usize]);
+        if node.count == 0 {
+            return;
+        }
+        let from_center = search.shifted - node.cell.center;
+        let (p, slack) = (from_center.as_vec3(), (ROUNDING * node.cell.edge) as f32);
+        for heads in node.samples.iter().rev() {
+            let mut near = heads.near(p, slack, search);
+            while near != 0 {
+                let lane = 31 - near.leading_zeros();
+                near ^= 1 << lane;
+                visit(&self.samples[heads.places[lane as usize & 3] as usize]);
             }
         }
     }
@@ -243,22 +287,21 @@ impl Cache {
 
 /// Where samples are looked for.
 struct Search {
-    p: Vec3,
-    /// The same counted from the corner.
+    /// The point, counted from the corner.
     shifted: Vec3,
-    bound: f64,
+    bound: f32,
     normal: glam::Vec3,
     /// The least cosine between normals.
     cosine: f32,
 }
 
-/// Of single-precision cosines.
+/// Of single-precision cosines and distances, and more.
 const ROUNDING: f64 = 1e-6;
 
 impl Tree {
-    fn insert(&mut self, cell: Cell, head: Head) {
+    fn insert(&mut self, cell: Cell, sample: &Sample, place: u32) {
         let node = self.node(cell);
-        self.nodes[node as usize].samples.push(head);
+        self.nodes[node as usize].add(sample, place);
     }
 
     /// The node of `cell`, made if need be together with all between it and the root.
