@@ -242,7 +242,7 @@ const NOT_MET: &[(&str, &str)] = &[
         "the list is read to the number that the order asks for",
     ),
     ("declare.rs: what this name stood for is gone", "a macro's parameter outlives no variable"),
-    ("function.rs: a function or a spline", "only functions and splines are called"),
+    ("mod.rs: a function or a spline", "only functions and splines are called"),
     ("parser.rs: an identifier", "an identifier was seen before it is taken"),
     (
         "macros.rs: cannot pass this name to a macro: it has no value",

@@ -59,6 +59,12 @@ pub struct SceneArgs {
     /// A folder in which included files are looked for; may be repeated
     #[arg(short = 'L', long = "library", value_name = "DIR")]
     pub library: Vec<PathBuf>,
+    /// A folder that scenes may read, besides their own, the working folder and libraries; may be repeated
+    #[arg(long, value_name = "DIR")]
+    pub allow_read: Vec<PathBuf>,
+    /// A folder that scenes may write (and read), besides their own and the working folder; may be repeated
+    #[arg(long, value_name = "DIR")]
+    pub allow_write: Vec<PathBuf>,
     /// Declare a number before the scene begins; may be repeated
     #[arg(short = 'D', long = "declare", value_name = "NAME=VALUE")]
     pub declare: Vec<String>,

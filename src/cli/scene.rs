@@ -26,6 +26,8 @@ impl Options {
     pub fn new(args: &SceneArgs, width: u32, height: u32) -> Result<Options, Failure> {
         let mut options = interp::Options {
             library_paths: args.library.clone(),
+            readable: args.allow_read.clone(),
+            writable: args.allow_write.clone(),
             includes: match args.includes {
                 Includes::Auto => IncludeMode::Auto,
                 Includes::Embedded => IncludeMode::Embedded,
@@ -35,8 +37,10 @@ impl Options {
             image_height: height,
             ..interp::Options::default()
         };
-        if let Some(folder) = args.library.iter().find(|f| !f.is_dir()) {
-            return Err(Failure::unavailable(format!("-L {}: there is no such folder", folder.display())));
+        let named =
+            [("-L", &args.library), ("--allow-read", &args.allow_read), ("--allow-write", &args.allow_write)];
+        for (option, folders) in named {
+            must_exist(option, folders)?;
         }
         for text in &args.declare {
             options.declares.push(declaration(text)?);
@@ -49,6 +53,16 @@ impl Options {
         options.frame.clock_on = args.clock != 0.0;
         let strict = args.strict.contains(&Strict::Features);
         Ok(Options { interp: options, strict, ascii: false, fingerprint: false })
+    }
+}
+
+/// Folders named on the command line.
+pub fn must_exist(option: &str, folders: &[PathBuf]) -> Result<(), Failure> {
+    match folders.iter().find(|f| !f.is_dir()) {
+        None => Ok(()),
+        Some(folder) => {
+            Err(Failure::unavailable(format!("{option} {}: there is no such folder", folder.display())))
+        }
     }
 }
 

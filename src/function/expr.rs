@@ -2,6 +2,7 @@
 
 use super::external::Callee;
 use super::number::{Binary, Number, Unary};
+use super::recursion::Itself;
 use std::collections::HashMap;
 
 /// A node of an [`Expression`]; what it depends on has smaller numbers.
@@ -148,6 +149,7 @@ impl Expression {
             (Callee::Function(a), Callee::Function(b)) => std::sync::Arc::ptr_eq(a, b),
             (Callee::Field(a), Callee::Field(b)) => std::sync::Arc::ptr_eq(a, b),
             (Callee::Vector(a), Callee::Vector(b)) => std::sync::Arc::ptr_eq(a, b),
+            (Callee::Itself(_), Callee::Itself(_)) => true,
             _ => false,
         };
         let index = self.callees.iter().position(same).unwrap_or_else(|| {
@@ -155,6 +157,12 @@ impl Expression {
             self.callees.len() - 1
         });
         self.node(Term::Call { callee: index as u32, arguments: arguments.into() })
+    }
+
+    /// A call of the function that the expression is the body of.
+    pub fn call_itself(&mut self, arguments: &[Node]) -> Node {
+        let known = self.callees.iter().find(|c| matches!(c, Callee::Itself(_))).cloned();
+        self.call(known.unwrap_or_else(|| Callee::Itself(Itself::default())), arguments)
     }
 
     /// Copies another function's body with these arguments; `None` if that would make too long an

@@ -1,3 +1,4 @@
+use super::recursion::Itself;
 use super::{Function, Internal, Number};
 use crate::math::field::Field;
 use crate::math::{Spline, Transform, Vec3};
@@ -79,6 +80,8 @@ pub(super) enum Callee {
     Function(Arc<Function>),
     Field(Arc<dyn Field>),
     Vector(Arc<dyn VectorFunction>),
+    /// The function whose body holds the call.
+    Itself(Itself),
 }
 
 impl Callee {
@@ -91,6 +94,7 @@ impl Callee {
             Callee::Function(function) => values[0] = function.number(arguments),
             Callee::Field(field) => values[0] = N::field(&**field, [0, 1, 2].map(|i| arguments[i])),
             Callee::Vector(vector) => N::vector(&**vector, arguments, &mut values),
+            Callee::Itself(itself) => values[0] = itself.number(arguments),
         }
         values
     }

@@ -12,6 +12,7 @@ mod interval;
 mod number;
 pub mod patience;
 mod program;
+mod recursion;
 mod slope;
 mod surroundings;
 
@@ -21,6 +22,7 @@ pub use image::FunctionImage;
 pub use internal::Internal;
 pub use interval::Interval;
 pub use number::{Binary, Number, Unary};
+pub use recursion::{LARGEST_RECURSION, went_too_deep};
 pub use slope::Slope;
 pub use surroundings::Surroundings;
 
@@ -30,6 +32,7 @@ use crate::math::{Aabb, Vec3};
 use compile::{Choices, compile};
 use external::Callee;
 use program::Program;
+use recursion::Itself;
 use std::sync::Arc;
 
 /// A function of the scene language.
@@ -52,6 +55,16 @@ struct Compiled {
     on_ranges: Program,
     /// How many functions call each other below this one.
     depth: usize,
+}
+
+impl Compiled {
+    /// The function's name for itself, if it calls itself.
+    fn itself(&self) -> Option<&Itself> {
+        self.expression.callees.iter().find_map(|c| match c {
+            Callee::Itself(itself) => Some(itself),
+            _ => None,
+        })
+    }
 }
 
 /// What a call gives.
@@ -89,8 +102,11 @@ impl Function {
         }
         let on_numbers = compile(&expression, arity, Choices::Jumps).ok_or(TooComplex::Values)?;
         let on_ranges = compile(&expression, arity, Choices::All).ok_or(TooComplex::Values)?;
-        let compiled = Compiled { expression, on_numbers, on_ranges, depth };
-        Ok(Self { arity, body: Body::Expression(Arc::new(compiled)) })
+        let compiled = Arc::new(Compiled { expression, on_numbers, on_ranges, depth });
+        if let Some(itself) = compiled.itself() {
+            itself.is(&compiled);
+        }
+        Ok(Self { arity, body: Body::Expression(compiled) })
     }
 
     pub fn from_internal(internal: Internal) -> Self {
@@ -154,6 +170,9 @@ impl Function {
     pub fn call_in(self: &Arc<Self>, expression: &mut Expression, arguments: &[Node]) -> Node {
         match &self.body {
             Body::Callee(callee) => expression.call(callee.clone(), arguments),
+            Body::Expression(compiled) if compiled.itself().is_some() => {
+                expression.call(Callee::Function(self.clone()), arguments)
+            }
             Body::Expression(compiled) => match expression.inline(&compiled.expression, arguments) {
                 Some(node) => node,
                 None => expression.call(Callee::Function(self.clone()), arguments),

@@ -48,7 +48,7 @@ impl Parser {
             K::End => self.end_block(span),
             K::While => self.open_while(directive, span),
             K::For => self.open_for(directive, span),
-            K::Switch => self.open_switch(directive, span),
+            K::Switch => self.open_switch(span),
             K::Break => self.break_block(span),
             K::Macro => self.define_macro(directive, span),
             K::Include => self.include_directive(span),
@@ -252,15 +252,15 @@ impl Parser {
     }
 
     /// `#switch (e)`, up to the first clause that matches.
-    fn open_switch(&mut self, directive: Directive, span: Span) -> Result<()> {
+    fn open_switch(&mut self, span: Span) -> Result<()> {
         self.expect_punct(Punct::LeftParen)?;
         let value = self.condition()?;
         self.expect_punct(Punct::RightParen)?;
-        self.before_first_case(span)?;
-        let mut target = directive.target;
+        self.deeper()?;
+        let (mut clause, mut at) = self.first_case(span)?;
+        self.shallower();
         loop {
-            let (clause, at) = self.skip_clause(target, span)?;
-            target = clause.target;
+            let target = clause.target;
             let matches = match clause.word {
                 Keyword::End => return Ok(()),
                 Keyword::Else => true,
@@ -270,23 +270,32 @@ impl Parser {
             if matches {
                 return self.open_block(Kind::Switch, target, span);
             }
+            (clause, at) = self.skip_clause(target, span)?;
         }
     }
 
-    /// Between `#switch` and its first clause only output directives may stand.
-    fn before_first_case(&mut self, span: Span) -> Result<()> {
-        use Keyword as K;
+    /// Takes the first clause of a `#switch`. Directives before it are carried out; nothing else may stand there.
+    fn first_case(&mut self, span: Span) -> Result<(Directive, Span)> {
+        let (frames, blocks) = (self.frames.len(), self.blocks.len());
         loop {
-            let token = match self.glance()? {
-                Tok::Directive(d) => d.word,
-                _ => return Err(no_case(span)),
+            let token = match self.take_ahead() {
+                Some(token) => token,
+                None => self.raw()?,
             };
-            match token {
-                K::Case | K::Range => return Ok(()),
-                K::Debug | K::Warning | K::Error | K::Render | K::Statistics => {
-                    let token = self.raw()?;
-                    self.message_directive(match_word(token), token.span)?;
-                }
+            self.last = token.span;
+            let inside = self.blocks.len() > blocks;
+            match token.tok {
+                _ if self.frames.len() < frames => return Err(no_case(span)),
+                Tok::Directive(d) => match d.word {
+                    Keyword::Case | Keyword::Range if !inside && self.frames.len() == frames => {
+                        return Ok((d, token.span));
+                    }
+                    Keyword::End | Keyword::Else | Keyword::Elseif | Keyword::Break if !inside => {
+                        return Err(no_case(span));
+                    }
+                    _ => self.directive(d, token.span)?,
+                },
+                Tok::Identifier(name) if self.symbols.is_macro(name) => self.call_macro(name, token.span)?,
                 _ => return Err(no_case(span)),
             }
         }
@@ -416,13 +425,6 @@ impl Parser {
 
 fn goes_on(value: f64, end: f64, step: f64) -> bool {
     if step > 0.0 { value < end + TINY } else { value > end - TINY }
-}
-
-fn match_word(token: Token) -> Keyword {
-    match token.tok {
-        Tok::Directive(d) => d.word,
-        _ => Keyword::Debug,
-    }
 }
 
 fn no_case(span: Span) -> Box<Diagnostic> {

@@ -61,6 +61,7 @@ pub(super) fn run(ops: &[Op], symbols: &Symbols) -> Option<f64> {
 
 fn component(value: &Value, index: u8) -> Option<f64> {
     match value {
+        Value::Float(v) if index == 0 => Some(*v),
         Value::Vector(n, v) if index < *n => Some(v[index as usize]),
         Value::Color(c) => Some(f64::from(c.components()[index as usize])),
         _ => None,

@@ -296,7 +296,7 @@ impl Parser {
         let value = match token.tok {
             Tok::Number(v) => {
                 self.take(token)?;
-                return Ok(Scalar(v));
+                Scalar(v)
             }
             Tok::Identifier(name) => self.variable(name, token)?,
             Tok::Punct(Punct::LeftParen) => {
@@ -318,10 +318,7 @@ impl Parser {
             },
             _ => return Err(self.unexpected("a number or a vector")),
         };
-        match value {
-            Scalar(_) => Ok(value),
-            Tuple(n, v) => self.member(n, v),
-        }
+        self.member(value)
     }
 
     #[inline]
@@ -381,12 +378,15 @@ impl Parser {
         Ok(Tuple(n as u8, v))
     }
 
-    /// `.x`, `.red` and so on behind a tuple.
-    fn member(&mut self, n: u8, v: [f64; 5]) -> Result<Number> {
-        if self.peek()?.tok != Tok::Punct(Punct::Dot) {
-            return Ok(Tuple(n, v));
-        }
+    /// `.x`, `.red` and so on; a number is a tuple of one component.
+    #[inline]
+    fn member(&mut self, value: Number) -> Result<Number> {
+        if self.peek()?.tok == Tok::Punct(Punct::Dot) { self.named_component(value) } else { Ok(value) }
+    }
+
+    fn named_component(&mut self, value: Number) -> Result<Number> {
         self.next()?;
+        let (n, v) = (value.len(), value.filled(1));
         let token = self.peek()?;
         let Tok::Word(word) = token.tok else {
             return Err(self.unexpected("the name of a component"));
@@ -399,8 +399,11 @@ impl Parser {
             return Err(self.unexpected("the name of a component"));
         };
         self.next()?;
-        if index >= n {
-            let message = format!("this vector has only {n} components");
+        if usize::from(index) >= n {
+            let message = match n {
+                1 => "a number has one component, `.x`".to_owned(),
+                _ => format!("this vector has only {n} components"),
+            };
             return Err(Box::new(Diagnostic::error(token.span, message)));
         }
         Ok(Scalar(v[index as usize]))

@@ -3,6 +3,7 @@
 use super::kept::Kept;
 use super::lookup::Kind;
 use super::options::{IncludeMode, SceneSource};
+use super::places::Access;
 use super::stream::{Frame, Source, link};
 use super::{Parser, Result, embedded};
 use crate::source::{Diagnostic, FileId, Span};
@@ -103,6 +104,9 @@ impl Parser {
             return Ok(file);
         }
         let Some(found) = found else { return Err(self.no_such_file(name, span)) };
+        if !self.loaded.contains_key(&found.path) {
+            self.check_place(&found.path, Access::Read, span)?;
+        }
         self.lenient_about(&found, name, span)?;
         let shown = found.path.display().to_string();
         self.load(&found.path, &shown, span)

@@ -1,7 +1,7 @@
 //! How far a scene may go before it is refused.
 
 use super::{Parser, Result};
-use crate::function::patience;
+use crate::function::{LARGEST_RECURSION, patience, went_too_deep};
 use crate::source::{Diagnostic, Span};
 use std::time::{Duration, Instant};
 
@@ -103,8 +103,14 @@ impl Parser {
         patience::give_up_at(self.watch.end);
     }
 
-    /// The error if time ended while a function ran.
+    /// The error if time ended while a function ran, or it called itself without end.
     pub(crate) fn check_functions(&self) -> Result<()> {
+        if went_too_deep() {
+            let message = format!("a function calls itself more than {LARGEST_RECURSION} times");
+            return Err(Box::new(
+                Diagnostic::error(self.last, message).with_hint("`select(condition, …)` must end the calls"),
+            ));
+        }
         if patience::gave_up() { self.look_at_resources() } else { Ok(()) }
     }
 

@@ -1,6 +1,7 @@
 //! Where a file that a scene names is looked for.
 
 use super::options::IncludeMode;
+use super::places::Access;
 use super::{Parser, Result};
 use crate::source::{Diagnostic, Span};
 use std::path::{Component, Path, PathBuf};
@@ -95,10 +96,12 @@ impl Parser {
         Some(Found { path, leniency: Some("capitals and small letters differ") })
     }
 
-    /// The file that `name` means, with a warning if the reference would not find it, or the error.
+    /// The file that `name` means, with a warning if the reference would not find it, or the error: there is none,
+    /// or it is none of the scene's business.
     pub(crate) fn require_file(&mut self, name: &str, kind: Kind, span: Span) -> Result<PathBuf> {
         match self.find_file(name, kind) {
             Some(found) => {
+                self.check_place(&found.path, Access::Read, span)?;
                 self.lenient_about(&found, name, span)?;
                 Ok(found.path)
             }
@@ -127,7 +130,7 @@ impl Parser {
     }
 
     /// The working folder, the library paths and the installed include files.
-    fn library_folders(&self) -> Vec<PathBuf> {
+    pub(super) fn library_folders(&self) -> Vec<PathBuf> {
         let mut folders = vec![PathBuf::new()];
         folders.extend(self.options.library_paths.iter().cloned());
         if self.options.includes != IncludeMode::Embedded {
@@ -137,7 +140,7 @@ impl Parser {
     }
 
     /// The folders of the text being read and of the texts that include it.
-    fn neighbour_folders(&self) -> Vec<PathBuf> {
+    pub(super) fn neighbour_folders(&self) -> Vec<PathBuf> {
         let mut folders: Vec<PathBuf> = Vec::new();
         for frame in self.frames.iter().rev() {
             let path = frame.file_id().and_then(|id| self.files.path(id));
@@ -148,18 +151,6 @@ impl Parser {
             }
         }
         folders
-    }
-
-    /// Whether a text file may be opened at that path: below the working folder or the scene's, and for
-    /// reading below a library path too.
-    pub(super) fn may_open(&self, path: &Path, writing: bool) -> bool {
-        let Some(target) = absolute(path) else { return false };
-        let mut roots = vec![PathBuf::from(".")];
-        roots.extend(self.neighbour_folders().pop());
-        if !writing {
-            roots.extend(self.library_folders().into_iter().skip(1));
-        }
-        roots.iter().filter_map(|r| absolute(r)).any(|root| target.starts_with(root))
     }
 }
 
@@ -249,17 +240,6 @@ fn same_letters(folder: &Path, part: &str) -> Option<PathBuf> {
         .collect();
     names.sort();
     Some(folder.join(names.into_iter().next()?))
-}
-
-/// The path with links followed as far as it exists, and no `..` behind that.
-fn absolute(path: &Path) -> Option<PathBuf> {
-    let path = std::path::absolute(path).ok()?;
-    let existing = path.ancestors().find(|p| p.exists())?;
-    let rest = path.strip_prefix(existing).ok()?;
-    if rest.components().any(|c| !matches!(c, Component::Normal(_))) {
-        return None;
-    }
-    Some(existing.canonicalize().ok()?.join(rest))
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ mod macros;
 mod messages;
 mod options;
 mod parser;
+mod places;
 mod program;
 mod statements;
 mod stream;
@@ -38,6 +39,7 @@ pub use lookup::INCLUDE_FOLDERS;
 pub(crate) use lookup::Kind as FileKind;
 pub use options::{Frame, IncludeMode, Options, SceneSource};
 pub use parser::Parser;
+pub(crate) use places::Access;
 pub use value::{Array, Material, Value};
 
 use crate::source::Diagnostic;

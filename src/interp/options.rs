@@ -27,6 +27,10 @@ pub enum IncludeMode {
 pub struct Options {
     /// Folders searched for files, in order.
     pub library_paths: Vec<PathBuf>,
+    /// Further folders that a scene may read.
+    pub readable: Vec<PathBuf>,
+    /// Further folders that a scene may read and write.
+    pub writable: Vec<PathBuf>,
     pub includes: IncludeMode,
     /// A file read before the scene.
     pub include_header: Option<PathBuf>,
@@ -63,6 +67,8 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             library_paths: Vec::new(),
+            readable: Vec::new(),
+            writable: Vec::new(),
             includes: IncludeMode::Auto,
             include_header: None,
             declares: Vec::new(),

@@ -51,6 +51,8 @@ pub struct Parser {
     pub(super) images: Vec<super::grammar::LoadedImage>,
     /// What is said when a name is used.
     pub(super) deprecated: HashMap<Symbol, Arc<str>>,
+    /// The name on the left of `= function`, until the word is read.
+    pub(super) declaring: Option<Symbol>,
     /// Passes of loops and calls of macros so far.
     pub(super) passes: u64,
     pub(super) watch: super::limits::Watch,
@@ -121,6 +123,7 @@ impl Parser {
             included: HashMap::new(),
             images: Vec::new(),
             deprecated: HashMap::new(),
+            declaring: None,
             passes: 0,
             watch,
             skips: HashMap::new(),

@@ -1,6 +1,6 @@
 //! Strings: literals, their escapes and characters, and the functions that make strings.
 
-use super::builtin::{format_date, format_fixed};
+use super::builtin::{format_date, format_fixed, format_short};
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, StringId, Tok};
@@ -99,7 +99,7 @@ impl Parser {
         let v = self.float()?;
         self.comma()?;
         let (width, precision) = self.format()?;
-        Ok(format_fixed(v, width, precision))
+        Ok(format_short(v, width, precision))
     }
 
     /// `vstr(n, v, separator, L, P)`.
@@ -146,11 +146,13 @@ impl Parser {
         let length = self.float()?;
         let count = s.chars().count() as f64;
         let (start, length) = (start.trunc(), length.trunc());
-        if !(start >= 1.0 && length >= 0.0 && start + length - 1.0 <= count) {
+        if !(start >= 0.0 && length >= 0.0 && start + length - 1.0 <= count) {
             let message = format!("substr() reaches outside its string of {count} characters");
             return Err(Box::new(Diagnostic::error(self.last, message)));
         }
-        Ok(s.chars().skip(start as usize - 1).take(length as usize).collect())
+        // What begins before the first character is empty.
+        let taken = if start >= 1.0 { length as usize } else { 0 };
+        Ok(s.chars().skip((start - 1.0) as usize).take(taken).collect())
     }
 
     fn chr_function(&mut self) -> Result<String> {
@@ -161,7 +163,11 @@ impl Parser {
                 format!("{code} is no character (0 to 65535)"),
             )));
         }
-        Ok(char::from_u32(code as u32).unwrap_or(char::REPLACEMENT_CHARACTER).to_string())
+        // The character 0 ends a string.
+        let letter = Some(code as u32).filter(|c| *c != 0);
+        Ok(letter
+            .map(|c| char::from_u32(c).unwrap_or(char::REPLACEMENT_CHARACTER).into())
+            .unwrap_or_default())
     }
 
     /// `datetime(days [, format])`.

@@ -3,6 +3,7 @@
 use super::builtin::format_general;
 use super::expr::Number;
 use super::lookup::Kind;
+use super::places::Access;
 use super::symbols::{Binding, GLOBAL};
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
@@ -45,14 +46,13 @@ impl Parser {
 
     fn open_reader(&mut self, name: &str, span: Span) -> Result<TextFile> {
         let path = self.require_file(name, Kind::Data, span)?;
-        self.check_place(&path, false, span)?;
         let file = self.load(&path, &path.display().to_string(), span)?;
         Ok(TextFile::Reader { lexer: self.lexer(file), waiting: Vec::new(), at: 0, done: false })
     }
 
     fn open_writer(&mut self, name: &str, append: bool, span: Span) -> Result<TextFile> {
         let path = PathBuf::from(name);
-        self.check_place(&path, true, span)?;
+        self.check_place(&path, Access::Write, span)?;
         let mut how = OpenOptions::new();
         how.create(true);
         if append {
@@ -66,20 +66,6 @@ impl Parser {
             Ok(file) => Ok(TextFile::Writer { file: BufWriter::new(file), path }),
             Err(why) => Err(Box::new(Diagnostic::error(span, format!("cannot open `{name}`: {why}")))),
         }
-    }
-
-    /// Refuses files outside of the scene's folder and the working folder.
-    pub(in crate::interp) fn check_place(
-        &self,
-        path: &std::path::Path,
-        writing: bool,
-        span: Span,
-    ) -> Result<()> {
-        if self.may_open(path, writing) {
-            return Ok(());
-        }
-        let message = format!("`{}` lies outside the scene's folder and the working folder", path.display());
-        Err(Box::new(Diagnostic::error(span, message).with_hint("a scene may not open files elsewhere")))
     }
 
     /// The handle that comes next, its number and place.

@@ -10,6 +10,7 @@ Glint reads POV-Ray 3.7's command line here: switches (+W320 -A), keywords (Widt
   +Ldir   library        +HIname header   Declare=name=number      +MVn   version
   +Kc     clock          +KFIn +KFFn frames, +KIc +KFc clocks, +KC cyclic, +SFn +EFn subset
   +C      (or --resume) skips the frames of an animation that are there already
+  --allow-read=DIR, --allow-write=DIR   folders that scenes may use besides their own and libraries
 
   name.ini, name[section] read options from a file.
 

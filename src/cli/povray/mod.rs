@@ -217,6 +217,8 @@ fn options(settings: &Settings) -> Result<scene::Options, Failure> {
     let (width, height) = size(settings)?;
     let mut options = interp::Options {
         library_paths: settings.library.clone(),
+        readable: settings.readable.clone(),
+        writable: settings.writable.clone(),
         include_header: settings.text("Include_Header").map(PathBuf::from),
         start_version: settings.float("Version").map(|v| (v * 100.0 + 0.5) as u32),
         image_width: width,

@@ -12,6 +12,9 @@ pub struct Settings {
     /// Keywords that the user gave, not a file that is read unasked.
     given: BTreeSet<&'static str>,
     pub library: Vec<PathBuf>,
+    /// Folders that scenes may read, and those that they may write, besides the usual ones.
+    pub readable: Vec<PathBuf>,
+    pub writable: Vec<PathBuf>,
     pub declares: Vec<(String, String)>,
 }
 

@@ -4,6 +4,7 @@ use super::naming::FileType;
 use super::settings::Settings;
 use super::table::{Kind, Switch, TABLE};
 use crate::cli::exit::Failure;
+use crate::cli::scene::must_exist;
 use std::path::{Path, PathBuf};
 
 /// INI files that name INI files end here.
@@ -17,6 +18,14 @@ pub fn apply(settings: &mut Settings, word: &str) -> Result<(), Failure> {
 fn apply_nested(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Failure> {
     if word == "--resume" {
         return settings.set("Continue_Trace", "on");
+    }
+    for (option, folders) in
+        [("--allow-read", &mut settings.readable), ("--allow-write", &mut settings.writable)]
+    {
+        if let Some(folder) = word.strip_prefix(option).and_then(|rest| rest.strip_prefix('=')) {
+            folders.push(folder.into());
+            return must_exist(option, folders);
+        }
     }
     if word.starts_with(['+', '-']) && word.len() > 1 {
         return switch(settings, word);

@@ -4,7 +4,7 @@ mod cache;
 mod subject;
 mod table;
 
-use super::args::{TradeArgs, TradeSetting};
+use super::args::{SceneArgs, TradeArgs, TradeSetting};
 use super::clock::{Wall, cpu_seconds};
 use super::exit::{Exit, Failure};
 use super::render::{pool, quoted};
@@ -113,8 +113,11 @@ fn axes(setting: TradeSetting) -> Vec<Axis> {
 /// The options that make `glint render` read the scene as it was read here.
 fn reading_words(args: &TradeArgs) -> Vec<String> {
     let mut words = Vec::new();
-    for folder in &args.scene.library {
-        words.extend(["-L".to_owned(), quoted(&folder.display().to_string())]);
+    let SceneArgs { library, allow_read, allow_write, .. } = &args.scene;
+    for (option, folders) in [("-L", library), ("--allow-read", allow_read), ("--allow-write", allow_write)] {
+        for folder in folders {
+            words.extend([option.to_owned(), quoted(&folder.display().to_string())]);
+        }
     }
     for text in &args.scene.declare {
         words.extend(["-D".to_owned(), quoted(text)]);

@@ -12,7 +12,7 @@ use crate::syntax::{Keyword, Punct, Token};
 
 pub(super) use arithmetic::{Partial, partial, pure, truncate};
 pub(super) use date::format_date;
-pub(super) use text::{format_fixed, format_general};
+pub(super) use text::{format_fixed, format_general, format_short};
 
 /// Words that begin a number or vector: functions, and names whose value depends on the scene.
 pub(super) fn is_numeric(word: Keyword) -> bool {

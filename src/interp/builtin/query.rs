@@ -53,7 +53,7 @@ impl Parser {
             Keyword::DimensionSize => self.dimension_size(span)?,
             Keyword::FileExists => {
                 let name = self.in_parens(Parser::file_name)?;
-                f64::from(u8::from(self.find_file(&name, super::super::lookup::Kind::Data).is_some()))
+                f64::from(u8::from(self.may_see(&name)))
             }
             _ => self.inside_query(span)?,
         })

@@ -1,20 +1,39 @@
 //! Numbers as text and back, by the rules of C.
 
-/// `%L.Pf` of C: `width` below 0 pads with zeros, `precision` below 0 means 6 digits. What would be longer
-/// than 254 characters is written with [`format_general`].
+/// Most characters of a number that [`format_short`] makes.
+const LONGEST: usize = 254;
+
+/// As [`format_fixed`]; what would be too long is written as `%L.Pg` of C.
+pub(in crate::interp) fn format_short(v: f64, width: i32, precision: i32) -> String {
+    let fixed = format_fixed(v, width, precision);
+    if fixed.len() <= LONGEST {
+        return fixed;
+    }
+    let significant = if precision < 0 { 6 } else { precision.clamp(1, MOST_DIGITS) as usize };
+    let general = padded(general(v, significant), width, v.is_finite());
+    if general.len() <= LONGEST { general } else { "<invalid>".to_owned() }
+}
+
+/// More digits or characters are not written.
+const MOST_DIGITS: i32 = 4096;
+
+/// `%L.Pf` of C: `width` below 0 pads with zeros, `precision` below 0 means 6 digits.
 pub(in crate::interp) fn format_fixed(v: f64, width: i32, precision: i32) -> String {
-    let digits = if precision < 0 { 6 } else { precision.min(400) as usize };
+    let digits = if precision < 0 { 6 } else { precision.min(MOST_DIGITS) as usize };
     let plain = if v.is_finite() { format!("{v:.digits$}") } else { not_finite(v) };
-    let wide = width.unsigned_abs().min(400) as usize;
-    let text = if plain.len() >= wide {
+    padded(plain, width, v.is_finite())
+}
+
+fn padded(plain: String, width: i32, zeros: bool) -> String {
+    let wide = width.unsigned_abs().min(MOST_DIGITS as u32) as usize;
+    if plain.len() >= wide {
         plain
-    } else if width < 0 && v.is_finite() {
+    } else if width < 0 && zeros {
         let (sign, size) = plain.split_at(usize::from(plain.starts_with('-')));
         format!("{sign}{size:0>rest$}", rest = wide - sign.len())
     } else {
         format!("{plain:>wide$}")
-    };
-    if text.len() > 254 { format_general(v) } else { text }
+    }
 }
 
 fn not_finite(v: f64) -> String {
@@ -29,17 +48,21 @@ fn not_finite(v: f64) -> String {
 
 /// `%g` of C: 6 significant digits, no zeros at the end.
 pub(in crate::interp) fn format_general(v: f64) -> String {
+    general(v, 6)
+}
+
+fn general(v: f64, significant: usize) -> String {
     if !v.is_finite() {
         return not_finite(v);
     }
     if v == 0.0 {
         return if v.is_sign_negative() { "-0".to_owned() } else { "0".to_owned() };
     }
-    let scientific = format!("{v:.5e}");
+    let scientific = format!("{v:.*e}", significant - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    if (-4..6).contains(&exponent) {
-        let digits = (5 - exponent) as usize;
+    if exponent >= -4 && exponent < significant as i32 {
+        let digits = (significant as i32 - 1 - exponent) as usize;
         return without_zeros(&format!("{v:.digits$}")).to_owned();
     }
     let sign = if exponent < 0 { '-' } else { '+' };
@@ -144,7 +167,9 @@ mod tests {
         assert_eq!(format_fixed(2.5, 0, 0), "2");
         assert_eq!(format_fixed(3.5, 0, 0), "4");
         assert_eq!(format_fixed(-2.7486, -10, 3), "-00002.749");
-        assert_eq!(format_fixed(1e300, 0, 2), "1e+300");
+        assert_eq!(format_short(1e300, 0, 2), "1e+300");
+        assert_eq!(format_short(-1.5e300, -12, 2), "-0001.5e+300");
+        assert_eq!(format_short(2.5, 255, 2), "<invalid>");
         assert_eq!(format_fixed(f64::INFINITY, -5, 2), "  inf");
     }
 

@@ -51,7 +51,9 @@ impl Parser {
         self.last = equal.span;
         self.deeper()?;
         // Directives may choose the right side, but not cut it short.
-        self.peek_operand()?;
+        let first = self.peek_operand()?;
+        let names_function = first.tok == Tok::Word(Keyword::Function) && !target.subscripted;
+        self.declaring = names_function.then_some(target.symbol);
         let before = self.hold();
         let rvalue = self.rvalue();
         self.release(before);

@@ -2,7 +2,7 @@
 
 use crate::color::Gamma;
 use crate::interp::lookup::Kind;
-use crate::interp::{Parser, Result};
+use crate::interp::{Access, Parser, Result};
 use crate::light::PhotonFile;
 use crate::math::noise::NoiseGenerator;
 use crate::scene::{PhotonSettings, RadiositySettings, SubsurfaceSettings};
@@ -267,7 +267,7 @@ impl Parser {
             Keyword::LoadFile => p.load = Some(self.photon_file(span)?),
             Keyword::SaveFile => {
                 let path = PathBuf::from(self.file_name()?);
-                self.check_place(&path, true, span)?;
+                self.check_place(&path, Access::Write, span)?;
                 p.save_file = Some(path);
             }
             _ => return Ok(false),

@@ -37,7 +37,7 @@ fn mistakes_are_errors() {
         "#case (1)",
         "#break",
         "#while (1) #break",
-        "#switch (1) #declare A=1; #case (1) #end",
+        "#switch (1) sphere { 0, 1 } #case (1) #end",
         "#for (I,1,2,0) #end",
         "#error \"stop\"",
         "#nonsense",
@@ -104,6 +104,7 @@ fn deep_nesting_is_refused_not_overflowed() {
     error(&"#declare A=(1+".repeat(100_000));
     error(&"#if (1) ".repeat(100_000));
     error(&"#switch (1) #case (1) ".repeat(100_000));
+    error(&"#switch (1) ".repeat(100_000));
 }
 
 #[test]

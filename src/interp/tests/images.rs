@@ -78,7 +78,8 @@ fn folder() -> PathBuf {
 /// The pigment of the last object of a scene.
 fn pigment_of(text: &str) -> Arc<Pigment> {
     let source = SceneSource::Text { name: "test".to_owned(), text: text.as_bytes().to_vec() };
-    let outcome = interpret(source, &Options::default());
+    let readable = vec![std::env::temp_dir()];
+    let outcome = interpret(source, &Options { readable, ..Options::default() });
     let scene = outcome.scene.unwrap_or_else(|e| panic!("{text}: {}", e.message));
     match &*scene.objects.last().unwrap().textures[0].value {
         Texture::Layers(layers) => layers[0].pigment.clone(),

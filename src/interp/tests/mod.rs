@@ -34,10 +34,11 @@ fn read<T>(text: &str, production: impl FnOnce(&mut Parser) -> Result<T>) -> T {
     production(&mut parser(text)).unwrap_or_else(|e| panic!("{text}: {}", e.message))
 }
 
-/// A scene's outcome under `#version 3.7`.
+/// A scene's outcome under `#version 3.7`; it may read temporary files.
 fn outcome(text: &str) -> Outcome {
     let source = SceneSource::Text { name: "test".to_owned(), text: text.as_bytes().to_vec() };
-    interpret(source, &Options { start_version: Some(370), ..Options::default() })
+    let readable = vec![std::env::temp_dir()];
+    interpret(source, &Options { start_version: Some(370), readable, ..Options::default() })
 }
 
 /// What a scene prints; it must not fail.
