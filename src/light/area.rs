@@ -65,6 +65,16 @@ impl AreaLight {
         }
     }
 
+    /// How far lamps stand from the centre along each axis of space, at most, shaken ones too.
+    pub fn reach(&self, (axis1, axis2): (Vec3, Vec3)) -> Vec3 {
+        let part = |size: u32| match size {
+            0 | 1 => 0.0,
+            n if self.jitter => 0.5 + 0.5 / f64::from(n - 1) + OFF_CENTRE,
+            _ => 0.5 + OFF_CENTRE,
+        };
+        axis1.abs() * part(self.size1) + axis2.abs() * part(self.size2)
+    }
+
     fn is_disc(&self) -> bool {
         (self.circular || self.orient) && self.size1 > 1 && self.size2 > 1
     }
@@ -81,6 +91,26 @@ mod tests {
         assert_eq!(area.offset(axes, 0.0, 0.0), Vec3::new(-2.0, 0.0, 0.0));
         assert_eq!(area.offset(axes, 4.0, 0.0), Vec3::new(2.0, 0.0, 0.0));
         assert_eq!(area.offset(axes, 2.0, 0.0), Vec3::ZERO);
+    }
+
+    #[test]
+    fn no_lamp_stands_beyond_the_reach() {
+        for (circular, jitter, size) in
+            [(false, false, 5), (true, false, 4), (false, true, 2), (true, true, 3)]
+        {
+            let mut area =
+                AreaLight::new(Vec3::new(4.0, 1.0, 0.0), Vec3::new(-1.0, 2.0, 3.0), size, size + 1);
+            (area.circular, area.jitter) = (circular, jitter);
+            let axes = area.axes(Vec3::Z);
+            let reach = area.reach(axes);
+            let shift = if jitter { 0.5 } else { 0.0 };
+            for i in 0..100u32 {
+                let (u, v) = (f64::from(i % 10) / 9.0, f64::from(i / 10) / 9.0);
+                let along = |x: f64, n: u32| x * (f64::from(n - 1) + 2.0 * shift) - shift;
+                let offset = area.offset(axes, along(u, size), along(v, size + 1));
+                assert!(offset.abs().cmple(reach).all(), "{offset} {reach}");
+            }
+        }
     }
 
     #[test]

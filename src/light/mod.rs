@@ -130,6 +130,11 @@ impl Light {
         (!is_dark(color)).then_some(Arrival { direction, distance, strength, color })
     }
 
+    /// Whether shadow rays end at its lamps, wherever they start.
+    pub fn is_aimed_at(&self) -> bool {
+        !self.parallel && !matches!(self.kind, LightKind::Cylinder(_))
+    }
+
     /// Unit vector to the lamp and distance, for a lamp moved by `offset` from the location.
     #[inline]
     pub fn towards(&self, p: Vec3, offset: Vec3) -> (Vec3, f64) {

@@ -13,6 +13,7 @@ pub mod polynomial;
 pub mod random;
 mod range;
 mod ray;
+mod shaft;
 mod spline;
 mod transform;
 
@@ -20,6 +21,7 @@ pub use aabb::Aabb;
 pub use accelerator::Accelerator;
 pub use range::Range;
 pub use ray::Ray;
+pub use shaft::Shaft;
 pub use spline::{Spline, SplineKind, SplineValue};
 pub use transform::Transform;
 

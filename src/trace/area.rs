@@ -5,8 +5,8 @@ use super::path::{Departure, Interiors};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{AreaLight, Arrival};
-use crate::math::Vec3;
-use crate::world::{RayClass, WorldLight};
+use crate::math::{Aabb, Shaft, Vec3};
+use crate::world::{Between, RayClass, WorldLight};
 
 /// Corners that differ by more than this (sum of components) are looked at closely.
 const CONTRAST: f32 = 0.1;
@@ -63,7 +63,22 @@ struct Exposure<'a> {
     axes: (Vec3, Vec3),
     /// The light's colour before shadows.
     color: Rgb,
+    way: Way,
+    /// What stands between the point and any lamp, if [`Way::Known`].
+    between: Between,
 }
+
+/// What is known of the way to all lamps.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    Unknown,
+    Known,
+    /// Nothing is there.
+    Clear,
+}
+
+/// Lights of fewer lamps are tested ray by ray.
+const SHAFT_FROM: usize = 4;
 
 impl Tracer<'_> {
     /// Whether area lights are more than points for rays of `class`.
@@ -83,7 +98,48 @@ impl Tracer<'_> {
     ) -> Rgb {
         let lamps = area.size1 as usize * area.size2 as usize;
         let axes = area.axes(arrival.direction);
-        let exposure = Exposure { departure, inside, source, area, axes, color: arrival.color };
+        let mut between = std::mem::take(&mut self.between);
+        let way = if lamps < SHAFT_FROM {
+            Way::Unknown
+        } else {
+            self.way_to_lamps(departure, source, area.reach(axes), &mut between)
+        };
+        let exposure = Exposure { departure, inside, source, area, axes, color: arrival.color, way, between };
+        let color = self.mean_over_lamps(&exposure, lamps, class);
+        self.between = exposure.between;
+        color
+    }
+
+    /// Whatever stands between a place and the box that holds all lamps. They are to be on one side of the
+    /// surface: then all rays start at one point.
+    fn way_to_lamps(
+        &self,
+        departure: &Departure,
+        source: &WorldLight,
+        reach: Vec3,
+        between: &mut Between,
+    ) -> Way {
+        let light = &source.light;
+        if !light.is_aimed_at() || source.projected_through.is_some() {
+            return Way::Unknown;
+        }
+        let center = light.location - departure.point;
+        let height = center.dot(departure.normal);
+        if departure.error > 0.0 && height.abs() <= 1.001 * departure.normal.abs().dot(reach) {
+            return Way::Unknown;
+        }
+        let start = departure.ray(center).origin;
+        // Rays end as far beside their lamps as they start beside the surface.
+        let aside = reach + (start - departure.point).abs();
+        let ends = Aabb { min: light.location - aside, max: light.location + aside };
+        match self.world.stands_between(&Shaft::new(start, &ends), between) {
+            false => Way::Unknown,
+            true if between.is_empty() && !self.dims(light) => Way::Clear,
+            true => Way::Known,
+        }
+    }
+
+    fn mean_over_lamps(&mut self, exposure: &Exposure, lamps: usize, class: RayClass) -> Rgb {
         self.lamps.clear();
         self.lamps.resize(lamps, Rgb::splat(UNTESTED));
         let few = match (self.settings.overrides.reference, class) {
@@ -93,14 +149,14 @@ impl Tracer<'_> {
             _ => self.settings.overrides.area_samples,
         };
         if let Some(few) = few.filter(|&n| (n as usize) < lamps) {
-            return self.few_lamps(&exposure, few.max(1));
+            return self.few_lamps(exposure, few.max(1));
         }
         let shares = self.needs.clouds && lamps >= SHARE_FROM && !self.settings.overrides.reference;
         if shares {
             let first = self.random.draw();
             self.shared_dimming.begin(first);
         }
-        let color = self.all_lamps(&exposure, lamps);
+        let color = self.all_lamps(exposure, lamps);
         self.shared_dimming.end();
         color
     }
@@ -144,11 +200,21 @@ impl Tracer<'_> {
             return self.lamps[place];
         }
         let (u, v) = self.lamp_place(e.area.jitter, u, v);
+        if e.way == Way::Clear {
+            self.lamps[place] = e.color;
+            return e.color;
+        }
         let offset = e.area.offset(e.axes, u, v);
         let (direction, distance) = e.source.light.towards(e.departure.point, offset);
         let ray = e.departure.ray(direction);
         self.shared_dimming.next_lamp();
-        let color = self.transmitted(&ray, distance, e.inside, e.source, e.color);
+        let color = if e.way == Way::Known {
+            self.transmitted_past(&ray, distance, e.inside, e.source, e.color, |world, ray, range, _| {
+                world.obstacle_between(&e.between, ray, range)
+            })
+        } else {
+            self.transmitted(&ray, distance, e.inside, e.source, e.color)
+        };
         self.lamps[place] = color;
         color
     }

@@ -10,7 +10,7 @@ use crate::color::Rgb;
 use crate::light::{Arrival, Light, is_dark};
 use crate::math::{EPSILON, Range, Ray};
 use crate::pattern::Context;
-use crate::world::{Hit, Obstacle, RayClass, Surface, WorldLight};
+use crate::world::{Blocker, Hit, Obstacle, RayClass, Surface, World, WorldLight};
 use smallvec::SmallVec;
 use std::cell::Cell;
 
@@ -75,6 +75,22 @@ impl Tracer<'_> {
         source: &WorldLight,
         color: Rgb,
     ) -> Rgb {
+        self.transmitted_past(ray, distance, inside, source, color, |world, ray, range, last| {
+            world.obstacle(ray, range, last)
+        })
+    }
+
+    /// The same, where `obstacle` says what stands in the way.
+    #[inline]
+    pub(super) fn transmitted_past(
+        &mut self,
+        ray: &Ray,
+        distance: f64,
+        inside: &Interiors,
+        source: &WorldLight,
+        color: Rgb,
+        obstacle: impl FnOnce(&World, &Ray, Range, &mut Blocker) -> Obstacle<Hit>,
+    ) -> Rgb {
         self.counters.shadow_rays += 1;
         let light = &source.light;
         let mut end = lamp_end(ray, distance);
@@ -87,11 +103,11 @@ impl Tracer<'_> {
         if light.shadowless {
             return color;
         }
-        let dims = light.media_attenuation && light.media_interaction && self.needs.atmosphere;
+        let dims = self.dims(light);
         let last = &mut self.blockers[source.number as usize];
-        let obstacle =
-            if end > 0.0 { self.world.obstacle(ray, Range::new(0.0, end), last) } else { Obstacle::None };
-        match obstacle {
+        let met =
+            if end > 0.0 { obstacle(self.world, ray, Range::new(0.0, end), last) } else { Obstacle::None };
+        match met {
             Obstacle::Opaque => Rgb::ZERO,
             Obstacle::None if dims => color * self.dimmed(ray, distance, inside),
             Obstacle::None => color,
@@ -100,6 +116,12 @@ impl Tracer<'_> {
                 self.filtered(stretch, hit, inside, (dims, light), color)
             }
         }
+    }
+
+    /// Whether air dims the light.
+    #[inline]
+    pub(super) fn dims(&self, light: &Light) -> bool {
+        light.media_attenuation && light.media_interaction && self.needs.atmosphere
     }
 
     /// Follows a ray that no opaque object stops from surface to surface; `hit` is the first.

@@ -12,7 +12,7 @@ use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::{Range, Ray, Vec3};
 use crate::pattern::Context;
-use crate::world::{Blocker, Hit, InteriorId, RayClass, World};
+use crate::world::{Between, Blocker, Hit, InteriorId, RayClass, World};
 use std::sync::Arc;
 
 /// Stands for the length of a ray that meets nothing.
@@ -67,6 +67,8 @@ pub struct Tracer<'w> {
     pub(super) scatters: bool,
     /// Lamps of the area light being sampled.
     pub(super) lamps: Vec<Rgb>,
+    /// What stands between it and the place that it lights.
+    pub(super) between: Between,
     /// What media leave of their light.
     pub(super) shared_dimming: SharedDimming,
 }
@@ -135,6 +137,7 @@ impl<'w> Tracer<'w> {
             blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
             scatters: false,
             lamps: Vec::new(),
+            between: Between::default(),
             shared_dimming: SharedDimming::default(),
         };
         tracer.lens = Lens::new(&world.scene.camera, &tracer.context).map(Arc::new);

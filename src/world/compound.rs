@@ -260,6 +260,7 @@ impl Compound {
         range: Range,
         lists: &mut Lists,
     ) -> Option<Found> {
+        let range = self.unclipped(geometry, probe, range)?;
         let first = lists.found.len();
         self.each_child(probe, range, |i| {
             geometry.crossings(self.children[i].solid, probe, range, lists);

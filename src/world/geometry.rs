@@ -2,6 +2,7 @@
 
 use super::accel::{Accel, Finite};
 use super::ball::{Ball, Met};
+use super::between::Between;
 use super::compound::Compound;
 use super::hit::{InteriorId, Obstacle, RayClass};
 use super::placement::Placement;
@@ -91,12 +92,12 @@ pub(super) struct Geometry {
 /// A root as rays look at it first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
-    root: u32,
+    pub root: u32,
     solid: Solid,
     /// As in [`Root`].
-    hidden: u8,
+    pub hidden: u8,
     /// Stops light and casts shadows.
-    shades: bool,
+    pub shades: bool,
 }
 
 impl Root {
@@ -109,6 +110,11 @@ impl Root {
 impl Item {
     fn new(index: u32, root: &Root) -> Item {
         Item { root: index, solid: root.solid, hidden: root.hidden, shades: root.casts_shadow() }
+    }
+
+    /// Whether asking it takes longer than its box.
+    pub fn is_slow(&self) -> bool {
+        matches!(self.solid, Solid::Compound(_))
     }
 }
 
@@ -143,7 +149,7 @@ impl Geometry {
             if b.is_finite() { self.finite.push(item) } else { self.infinite.push(item) }
         }
         let boxes: Vec<Aabb> = self.finite.iter().map(|item| self.root_bounds[item.root as usize]).collect();
-        let slow = |i: usize| matches!(self.finite[i].solid, Solid::Compound(_));
+        let slow = |i: usize| self.finite[i].is_slow();
         self.search = Finite::new(accel, &boxes, slow);
         if let Finite::Tree(tree) = &mut self.search {
             self.finite = tree.order().iter().map(|&i| self.finite[i as usize]).collect();
@@ -230,11 +236,24 @@ impl Geometry {
         }
     }
 
+    /// A plane's normal and distance in the world, if the item is one and stands as it was made.
+    pub fn half_space(&self, item: &Item) -> Option<(Vec3, f64)> {
+        let Solid::Leaf(i) = item.solid else { return None };
+        let leaf = &self.leaves[i as usize];
+        leaf.shape.half_space().filter(|_| leaf.place.is_none())
+    }
+
+    /// [`Geometry::obstacle`] for a ray in a shaft.
+    pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Found> {
+        let mut nobody = NONE;
+        self.obstacle_among(between, &between.infinite, ray, range, &mut nobody)
+    }
+
     /// What stands in the way of light inside `range`. `last` remembers which opaque root did, and it is asked
     /// first: neighbouring rays are mostly stopped by the same object.
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
         match &self.search {
-            Finite::Tree(tree) => self.obstacle_among(tree, ray, range, last),
+            Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last),
             _ => self.obstacle_treeless(ray, range, last),
         }
     }
@@ -243,13 +262,14 @@ impl Geometry {
     fn obstacle_treeless(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
         match &self.search {
             Finite::Tree(_) => Obstacle::None,
-            Finite::Grid(grid) => self.obstacle_among(grid, ray, range, last),
-            Finite::List(list) => self.obstacle_among(list, ray, range, last),
+            Finite::Grid(grid) => self.obstacle_past(grid, ray, range, last),
+            Finite::List(list) => self.obstacle_past(list, ray, range, last),
         }
     }
 
+    /// The object that stopped the last ray, then all others.
     #[inline(always)]
-    fn obstacle_among(
+    fn obstacle_past(
         &self,
         finite: &impl Accelerator,
         ray: &Ray,
@@ -262,6 +282,19 @@ impl Geometry {
                 return Obstacle::Opaque;
             }
         }
+        self.obstacle_among(finite, &self.infinite, ray, range, last)
+    }
+
+    /// Leaves the object `last` out, which has been asked, and notes another one there that stops the ray.
+    #[inline(always)]
+    fn obstacle_among(
+        &self,
+        finite: &impl Accelerator,
+        infinite: &[Item],
+        ray: &Ray,
+        range: Range,
+        last: &mut u32,
+    ) -> Obstacle<Found> {
         let skipped = *last;
         let mut filter = Nearest { found: None, root: NONE, hidden: RayClass::Filtered.bit() };
         let mut max = range.max;
@@ -277,7 +310,7 @@ impl Geometry {
             }
             stopped
         };
-        let stopped = self.infinite.iter().any(|item| stops(item, None))
+        let stopped = infinite.iter().any(|item| stops(item, None))
             || if self.balls.is_empty() {
                 finite.any(ray, range, |place| stops(&self.finite[place as usize], None))
             } else {

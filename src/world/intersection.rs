@@ -101,9 +101,7 @@ impl Compound {
         range: Range,
         lists: &mut Lists,
     ) -> Option<Candidates> {
-        if !self.clips.iter().all(|c| c.extent.outside || probe.meets(&c.reach, range)) {
-            return None;
-        }
+        let range = self.unclipped(geometry, probe, range)?;
         let mut candidates = Candidates::new(lists.found.len(), range);
         for (i, child) in self.children.iter().enumerate() {
             if !self.ask(geometry, probe, (i, child), &mut candidates, lists) {
@@ -112,6 +110,27 @@ impl Compound {
             }
         }
         (candidates.count() > 0).then_some(candidates)
+    }
+
+    /// The part of `range` that the clips leave, as far as boxes and chords tell.
+    #[inline]
+    pub fn unclipped(&self, geometry: &Geometry, probe: &Probe, range: Range) -> Option<Range> {
+        if self.clips.is_empty() {
+            return Some(range);
+        }
+        let mut left = Candidates::new(0, range);
+        for clip in &self.clips {
+            if !clip.extent.outside && !probe.meets(&clip.reach, left.range) {
+                return None;
+            }
+            if let Some((chord, length)) = geometry.chord(clip.solid, probe.ray, left.range) {
+                let (near, far) = (chord.span.enter.0 / length, chord.span.leave.0 / length);
+                if !left.cut(near, far, chord.beyond, probe.size()) {
+                    return None;
+                }
+            }
+        }
+        Some(left.range)
     }
 
     /// Takes in what one child says; false if the ray stays outside of it.

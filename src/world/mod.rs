@@ -5,6 +5,7 @@
 
 mod accel;
 mod ball;
+mod between;
 mod compound;
 mod flatten;
 mod geometry;
@@ -19,13 +20,14 @@ mod stats;
 mod tests;
 
 pub use accel::Accel;
+pub use between::Between;
 pub use hit::{Hit, InteriorId, Obstacle, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
 pub use stats::Stats;
 
 use crate::light::Light;
 use crate::material::Interior;
-use crate::math::{Range, Ray, Transform, Vec2, Vec3};
+use crate::math::{Range, Ray, Shaft, Transform, Vec2, Vec3};
 use crate::scene::Scene;
 use crate::shape::PartTexture;
 use flatten::Flattened;
@@ -165,6 +167,22 @@ impl World {
     #[inline]
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut Blocker) -> Obstacle<Hit> {
         match self.geometry.obstacle(ray, range, &mut last.0) {
+            Obstacle::None => Obstacle::None,
+            Obstacle::Opaque => Obstacle::Opaque,
+            Obstacle::Filter(found) => Obstacle::Filter(self.hit(ray, &found)),
+        }
+    }
+
+    /// Finds what may stop or change light in the shaft, for [`World::obstacle_between`]. False if that is much,
+    /// or there is no quick way to tell; then `between` means nothing.
+    pub fn stands_between(&self, shaft: &Shaft, between: &mut Between) -> bool {
+        self.geometry.stands_between(shaft, between)
+    }
+
+    /// [`World::obstacle`] for a ray that stays in the shaft that `between` was found for.
+    #[inline]
+    pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Hit> {
+        match self.geometry.obstacle_between(between, ray, range) {
             Obstacle::None => Obstacle::None,
             Obstacle::Opaque => Obstacle::Opaque,
             Obstacle::Filter(found) => Obstacle::Filter(self.hit(ray, &found)),

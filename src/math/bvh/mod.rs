@@ -13,6 +13,7 @@
 
 mod build;
 mod chunks;
+mod shaft;
 mod traverse;
 
 use super::{Aabb, Accelerator, Range, Ray, Vec3};
