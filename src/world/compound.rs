@@ -68,7 +68,8 @@ pub(super) struct Child {
     /// A ray that misses this box crosses none of the child's surfaces.
     pub reach: Reach,
     pub extent: Extent,
-    /// Whether a ray that misses the box is outside as the hull has it, or inside, all along.
+    /// Whether a ray that misses the box is outside as the hull has it, or inside, all along; of clips, whether
+    /// the box is finite.
     pub tight: bool,
 }
 
@@ -260,7 +261,9 @@ impl Compound {
         range: Range,
         lists: &mut Lists,
     ) -> Option<Found> {
-        let range = self.unclipped(geometry, probe, range)?;
+        // Single shapes are asked as quickly as clips.
+        let slow = self.children.iter().any(|c| matches!(c.solid, Solid::Compound(_)));
+        let range = if slow { self.unclipped(geometry, probe, range)? } else { range };
         let first = lists.found.len();
         self.each_child(probe, range, |i| {
             geometry.crossings(self.children[i].solid, probe, range, lists);

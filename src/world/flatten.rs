@@ -111,7 +111,8 @@ impl Built {
 
     /// The same as something that only keeps what it contains.
     fn clip(self) -> Child {
-        Child { solid: self.solid, reach: Reach::new(&self.extent.hull), extent: self.extent, tight: false }
+        let Extent { hull, .. } = self.extent;
+        Child { solid: self.solid, reach: Reach::new(&hull), extent: self.extent, tight: hull.is_finite() }
     }
 }
 

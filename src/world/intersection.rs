@@ -123,7 +123,10 @@ impl Compound {
             if !clip.extent.outside && !probe.meets(&clip.reach, left.range) {
                 return None;
             }
-            if let Some((chord, length)) = geometry.chord(clip.solid, probe.ray, left.range) {
+            // What is bounded has had its say.
+            if !clip.tight
+                && let Some((chord, length)) = geometry.chord(clip.solid, probe.ray, left.range)
+            {
                 let (near, far) = (chord.span.enter.0 / length, chord.span.leave.0 / length);
                 if !left.cut(near, far, chord.beyond, probe.size()) {
                     return None;
