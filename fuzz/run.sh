@@ -43,4 +43,4 @@ cat >>"$work/words.dict" <<'WORDS'
 WORDS
 cd "$root"
 cargo fuzz run --sanitizer none scene "$corpus" -- -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
-  -max_len=16384 -dict="$work/words.dict" -artifact_prefix="$work/findings/" -print_final_stats=1
+  -max_len=16384 -dict="$work/words.dict" -artifact_prefix="$work/findings/" -print_final_stats=1 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1

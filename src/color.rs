@@ -57,9 +57,20 @@ impl Color {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
 
+    /// On the way to another colour, bit for bit as the reference goes it in a map: only the share is in double
+    /// precision.
     #[inline]
-    pub fn lerp(self, other: Self, t: f32) -> Self {
-        self * (1.0 - t) + other * t
+    pub fn toward(self, other: Self, t: f64) -> Self {
+        let step = |a: f32, b: f32| a + (f64::from(b - a) * t) as f32;
+        Color {
+            rgb: Rgb::new(
+                step(self.rgb.x, other.rgb.x),
+                step(self.rgb.y, other.rgb.y),
+                step(self.rgb.z, other.rgb.z),
+            ),
+            filter: step(self.filter, other.filter),
+            transmit: step(self.transmit, other.transmit),
+        }
     }
 }
 

@@ -124,6 +124,12 @@ impl Parser {
         }))
     }
 
+    /// Whether the word taken last was the last one of a macro.
+    pub(super) fn is_end_of_macro(&self) -> bool {
+        let frame = self.frames.last();
+        !self.has_ahead() && frame.is_some_and(|f| f.at == f.end && matches!(f.source, Source::Macro(_)))
+    }
+
     /// Reads on in the innermost text if it is a file; whether there are more tokens now.
     fn refill(&mut self) -> Result<bool> {
         match self.frames.len() {

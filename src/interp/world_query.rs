@@ -48,10 +48,13 @@ impl Parser {
                     p.take_value()?;
                     object
                 }
-                _ => match p.object()? {
-                    Some(object) => Arc::new(object),
-                    None => return Err(p.unexpected("an object")),
-                },
+                _ => {
+                    let span = p.peek()?.span;
+                    let Some(object) = p.object()? else { return Err(p.unexpected("an object")) };
+                    let message = "an object stands here in place of the name of one";
+                    p.lenient(Diagnostic::warning(span, message))?;
+                    Arc::new(object)
+                }
             };
             p.comma()?;
             let query = p.queries.prepare(&object);

@@ -129,7 +129,7 @@ impl Pigment {
                 Blended::One(pigment) => pigment.color_or_clear(q, context),
                 Blended::Two(t, low, high) => {
                     let (low, high) = (low.color_or_clear(q, context), high.color_or_clear(q, context));
-                    low.lerp(high, t as f32)
+                    low.toward(high, t)
                 }
             },
             (None, None) => Color::BLACK,

@@ -76,7 +76,8 @@ impl<T> BlendMap<T> {
             return Blended::One(item);
         }
         let (low, ref before) = self.entries[upper - 1];
-        Blended::Two((v - low) / (high - low), before, item)
+        // As the reference has it: the distance between keys in single precision.
+        Blended::Two((v - low) / f64::from((high - low) as f32), before, item)
     }
 }
 
@@ -85,7 +86,7 @@ impl BlendMap<Color> {
     pub fn color(&self, v: f64) -> Color {
         match self.at(v) {
             Blended::One(&color) => color,
-            Blended::Two(t, &low, &high) => low + (high + low * -1.0) * t as f32,
+            Blended::Two(t, &low, &high) => low.toward(high, t),
         }
     }
 }

@@ -9,6 +9,9 @@ use crate::scene::{Background, Fog, Rainbow, SkySphere};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
 
+/// The sine between two directions that count as one.
+const NEARLY_PARALLEL: f64 = 1e-10;
+
 impl Parser {
     /// `background { color }`; the word is the next token.
     pub(crate) fn background_statement(&mut self) -> Result<()> {
@@ -104,7 +107,7 @@ impl Parser {
 
     /// `rainbow { … }`; the word is the next token.
     pub(crate) fn rainbow_statement(&mut self) -> Result<Rainbow> {
-        self.expect(Keyword::Rainbow)?;
+        let word = self.expect(Keyword::Rainbow)?;
         self.expect_punct(Punct::LeftBrace)?;
         let mut rainbow = match self.peek_value()? {
             Some(Value::Rainbow(rainbow)) => {
@@ -116,7 +119,15 @@ impl Parser {
         while !self.accept_punct(Punct::RightBrace)? {
             self.rainbow_item(&mut rainbow)?;
         }
-        rainbow.direction = rainbow.direction.normalize_or(Vec3::Y);
+        let refused = |message| Err(Box::new(Diagnostic::error(word.span, message)));
+        match (rainbow.direction.try_normalize(), rainbow.up.try_normalize()) {
+            (None, _) => return refused("the rainbow's direction is 0"),
+            (_, None) => return refused("the rainbow's `up` is 0"),
+            (Some(direction), Some(up)) if direction.cross(up).length() < NEARLY_PARALLEL => {
+                return refused("the rainbow's direction and `up` are parallel");
+            }
+            (Some(direction), _) => rainbow.direction = direction,
+        }
         Ok(rainbow)
     }
 

@@ -60,12 +60,28 @@ impl Parser {
         self.shallower();
         let Rvalue { value, numeric } = rvalue?;
         let span = target.span.to(self.last);
+        self.name_behind_texture(&target, &value)?;
         if local {
             self.local_target(target, value)?
         } else {
             self.declare_target(target, value)?
         };
         self.end_assignment(span, numeric)
+    }
+
+    /// Behind a texture another layer may stand, so the reference has read the next word before the assignment:
+    /// the new name is not known there.
+    fn name_behind_texture(&mut self, target: &Target, value: &Value) -> Result<()> {
+        let (Value::Texture(_), None) = (value, &target.reference) else { return Ok(()) };
+        let next = self.take_ahead();
+        if let Some(token) = next {
+            self.set_raw_ahead(token);
+            if token.tok == Tok::Identifier(target.symbol) {
+                let message = format!("`{}` is used before it is assigned", self.name(target.symbol));
+                return self.lenient(Diagnostic::warning(token.span, message));
+            }
+        }
+        Ok(())
     }
 
     /// `deprecated [once] ["message"]`: what is said when the name is used (at one place it is said once).
@@ -136,9 +152,10 @@ impl Parser {
             Some(reference) if target.local || target.subscripted => {
                 self.assign(&reference, value, target.span)
             }
+            // The right side went on behind the macro's end: nobody can see the name any more.
+            _ if target.scope > self.symbols.innermost() => Ok(()),
             _ => {
-                let scope = target.scope.min(self.symbols.innermost());
-                self.symbols.bind(target.symbol, scope, Binding::Value(value));
+                self.symbols.bind(target.symbol, target.scope, Binding::Value(value));
                 Ok(())
             }
         }
@@ -226,13 +243,31 @@ impl Parser {
                 if self.glance()? == Tok::Punct(Punct::LeftParen) {
                     return Ok(Rvalue { value: self.expression()?, numeric: true });
                 }
-                Ok(Rvalue { value: self.take_value()?, numeric: false })
+                // The reference looks for the parenthesis, and wants `;` where it finds none.
+                Ok(Rvalue { value: self.take_value()?, numeric: true })
+            }
+            Some(Value::Array(_)) => {
+                let name = self.peek()?.tok;
+                let array = self.take_value()?;
+                self.array_at_the_end_of_its_macro(name)?;
+                Ok(Rvalue { value: array, numeric: false })
             }
             Some(Value::Float(_) | Value::Vector(..) | Value::Color(_)) => {
                 Ok(Rvalue { value: self.expression()?, numeric: true })
             }
             Some(_) => Ok(Rvalue { value: self.take_value()?, numeric: false }),
         }
+    }
+
+    /// A macro's own array as its last word: the reference looks for a bracket behind it, leaves the macro, and finds
+    /// no array any more.
+    fn array_at_the_end_of_its_macro(&mut self, name: Tok) -> Result<()> {
+        let is_own = matches!(name, Tok::Identifier(name) if self.symbols.is_local(name));
+        if self.options.strict && is_own && self.is_end_of_macro() {
+            let message = "this array is gone when the macro's end has been read";
+            return self.lenient(Diagnostic::warning(self.last, message));
+        }
+        Ok(())
     }
 
     /// A value that a word of the language begins.

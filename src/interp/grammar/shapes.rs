@@ -6,7 +6,7 @@ use crate::math::Vec3;
 use crate::scene::Object;
 use crate::shape::is_closed_polygon;
 use crate::shape::{Cone, Cuboid, Cylinder, Disc, Plane, Polygon, SmoothTriangle, Sphere, Torus, Triangle};
-use crate::source::Diagnostic;
+use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Token};
 
 /// More points than any polygon has; a larger number is a slip of the pen.
@@ -50,6 +50,7 @@ impl Parser {
         let cap = self.next_vector()?;
         let radius = self.next_float()?;
         let open = self.accept(Keyword::Open)?;
+        self.check_ends([base, cap], keyword.span)?;
         match Cylinder::new(base, cap, radius, open) {
             Some(cylinder) => Ok(from_shape(cylinder)),
             None => Ok(self.degenerate(keyword.span, "cylinder", "its two ends are one point")),
@@ -62,10 +63,20 @@ impl Parser {
         let cap = self.next_vector()?;
         let cap_radius = self.next_float()?;
         let open = self.accept(Keyword::Open)?;
+        self.check_ends([base, cap], keyword.span)?;
         match Cone::new(base, base_radius, cap, cap_radius, open) {
             Some(cone) => Ok(from_shape(cone)),
             None => Ok(self.degenerate(keyword.span, "cone", "its two ends are one point")),
         }
+    }
+
+    /// Ends closer to each other than this are one point to the reference, however small the scene.
+    fn check_ends(&mut self, ends: [Vec3; 2], span: Span) -> Result<()> {
+        const NEAREST: f64 = 1e-10;
+        if self.options.strict && ends[0].distance(ends[1]) < NEAREST {
+            self.lenient(Diagnostic::warning(span, "the two ends are one point"))?;
+        }
+        Ok(())
     }
 
     pub(super) fn torus(&mut self, _keyword: Token) -> Result<Object> {
