@@ -63,6 +63,17 @@ impl Target {
         Target { output: Output::File(path), format: Format::Png }
     }
 
+    /// Refuses a file in a folder that is not there.
+    pub fn check_folder(&self) -> Result<(), Failure> {
+        let Some(path) = self.output.path() else { return Ok(()) };
+        match path.parent() {
+            Some(folder) if folder != Path::new("") && !folder.is_dir() => {
+                Err(Failure::unavailable(format!("{}: no such folder for the picture", folder.display())))
+            }
+            _ => Ok(()),
+        }
+    }
+
     pub fn write(&self, picture: &Picture, encoding: &Encoding) -> Result<(), PictureError> {
         if self.output == Output::Nowhere {
             return Ok(());

@@ -40,6 +40,8 @@ pub fn run(args: &RenderArgs) -> Result<Exit, Failure> {
 
 /// Does all tasks. A bad one does not stop the others; the exit code remembers it.
 pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failure> {
+    // A long batch must not find out at each of its ends that nothing can be written.
+    tasks.iter().try_for_each(|task| task.target.check_folder())?;
     interrupt::listen();
     let mut exit = Exit::Done;
     for (i, task) in tasks.iter().enumerate() {
