@@ -11,9 +11,10 @@ pub(super) struct Ball {
     center: Vec3,
     /// NaN for what is no sphere.
     radius: f64,
+    /// How many units of the shape's space one of the world's is; 0 if the ball is a little too large, so that
+    /// the shape itself is to be asked.
+    units: f64,
     leaf: u32,
-    /// Whether this is the shape itself: it stands in world space. Else it is a little too large.
-    exact: bool,
 }
 
 /// What a ray has to do with a ball.
@@ -27,22 +28,33 @@ pub(super) enum Met {
 
 /// Relative room for the roundings of the way into world space.
 const ROOM: f64 = 64.0 * EPSILON;
+/// Spheres smaller than this part of their coordinates are asked in their own space.
+const SMALL: f64 = 1e-5;
 
 impl Ball {
-    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN, leaf: 0, exact: false };
+    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN, units: 0.0, leaf: 0 };
 
-    /// `None` unless `shape`, that of a leaf, is a sphere in the world too.
+    /// `None` unless `shape`, that of a leaf, is a sphere in the world too. What is hit is found in the sphere's
+    /// own space in any case; here only distances are measured.
     pub fn new(shape: &dyn Shape, place: Option<&Placement>, leaf: u32) -> Option<Ball> {
         let (center, radius) = shape.sphere()?;
-        let Some(place) = place else { return Some(Ball { center, radius, leaf, exact: true }) };
-        let (center, radius) = (place.transform.point(center), radius / place.even_scale()?);
+        let Some(place) = place else { return Some(Ball { center, radius, units: 1.0, leaf }) };
+        let units = place.even_scale()?;
+        let there = place.transform.forward.translation.abs() + center.abs() / units;
+        let (center, radius) = (place.transform.point(center), radius / units);
+        if !(center.is_finite() && radius.is_finite()) {
+            return None;
+        }
+        if radius > SMALL * there.max_element() {
+            return Some(Ball { center, radius, units, leaf });
+        }
         let radius = radius * (1.0 + ROOM) + ROOM * center.abs().max_element();
-        (center.is_finite() && radius.is_finite()).then_some(Ball { center, radius, leaf, exact: false })
+        Some(Ball { center, radius, units: 0.0, leaf })
     }
 
     #[inline]
     pub fn meet(&self, ray: &Ray, range: Range) -> Met {
-        if !self.exact {
+        if self.units == 0.0 {
             let ruled_out = !self.radius.is_nan() && !self.may_be_met(ray, range);
             return if ruled_out { Met::Nothing } else { Met::Perhaps };
         }
@@ -51,7 +63,7 @@ impl Ball {
         };
         let t = if near > range.min { near } else { far };
         if t > range.min && t <= range.max {
-            Met::Sphere(Found { t, leaf: self.leaf, crossing: Crossing::new(t) })
+            Met::Sphere(Found { t, leaf: self.leaf, crossing: Crossing::new(t * self.units) })
         } else {
             Met::Nothing
         }
@@ -100,7 +112,7 @@ mod tests {
                 .then(&Transform::rotate(turn))
                 .then(&Transform::translate(shift));
             let place = Placement::new(t);
-            let ball = Ball::new(&sphere, Some(&place), 0).expect("a sphere");
+            let ball = loose(&sphere, &place);
             let (c, r) = (t.point(center), 10f64.powf(radius + size));
             let side = side.normalize();
             let along = side.any_orthonormal_vector();
@@ -116,16 +128,66 @@ mod tests {
         }
     }
 
+    /// A ball that only rules out.
+    fn loose(sphere: &Sphere, place: &Placement) -> Ball {
+        let ball = Ball::new(sphere, Some(place), 0).expect("a sphere");
+        let radius = ball.radius * (1.0 + ROOM) + ROOM * ball.center.abs().max_element();
+        Ball { radius, units: 0.0, ..ball }
+    }
+
     #[test]
     fn misses_are_mostly_seen() {
         let nowhere = Placement::new(Transform::translate(Vec3::ZERO));
-        let ball = Ball::new(&Sphere::new(Vec3::ZERO, 1.0), Some(&nowhere), 0).expect("a sphere");
+        let ball = loose(&Sphere::new(Vec3::ZERO, 1.0), &nowhere);
         let to = |origin, dir| Ray::new(origin, dir);
         assert!(ball.may_be_met(&to(Vec3::new(-5.0, 0.9, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(-5.0, 1.1, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(5.0, 0.0, 0.0), Vec3::X), Range::FORWARD));
         assert!(!ball.may_be_met(&to(Vec3::new(-5.0, 0.0, 0.0), Vec3::X), Range::new(0.0, 3.9)));
         assert!(ball.may_be_met(&to(Vec3::new(-5.0, 0.0, 0.0), Vec3::X), Range::new(0.0, 4.1)));
+    }
+
+    proptest! {
+        /// Distances to a placed sphere are those that are found in its own space, but for roundings.
+        #[test]
+        fn a_placed_sphere_is_met_where_the_shape_says(
+            center in vector(3.0), radius in 0.01..3.0f64, size in -3.0..3.0f64, turn in vector(360.0),
+            shift in vector(100.0), side in vector(1.0), aim in vector(1.5), far in 0.5..1e3f64,
+        ) {
+            prop_assume!(side.length() > 0.1);
+            let sphere = Sphere::new(center, radius);
+            let t = Transform::scale(Vec3::splat(10f64.powf(size)))
+                .then(&Transform::rotate(turn))
+                .then(&Transform::translate(shift));
+            let place = Placement::new(t);
+            let ball = Ball::new(&sphere, Some(&place), 3).expect("a sphere");
+            let target = t.point(center + radius * aim);
+            let dir = side.normalize();
+            let ray = Ray::new(target - far * dir, dir);
+            let (local, length) = place.inverse_ray(&ray);
+            let expected = sphere.nearest(&local, Range::FORWARD);
+            let scale = shift.length() + far + (center.length() + radius) * 10f64.powf(size);
+            match (ball.meet(&ray, Range::FORWARD), expected) {
+                (Met::Sphere(found), Some(crossing)) => {
+                    // Grazing rays meet less exactly.
+                    let steep = ((found.t * dir + ray.origin).distance(ball.center) / ball.radius).min(1.0);
+                    let normal = (ray.at(found.t) - ball.center) / ball.radius;
+                    let room = 1e-13 * scale / (steep * normal.dot(dir).abs()).max(1e-3);
+                    prop_assert!((found.t - crossing.t / length).abs() <= room, "{} {}", found.t, crossing.t / length);
+                    prop_assert!((found.crossing.t - crossing.t).abs() <= room * length);
+                }
+                (Met::Nothing, Some(c)) => {
+                    let p = local.at(c.t) - center;
+                    prop_assert!((p / radius).dot(local.dir).abs() < 1e-3 || c.t / length < 1e-12 * scale);
+                }
+                (Met::Sphere(found), None) => {
+                    let normal = (ray.at(found.t) - ball.center) / ball.radius;
+                    prop_assert!(normal.dot(dir).abs() < 1e-3 || found.t < 1e-12 * scale);
+                }
+                (Met::Perhaps, _) => prop_assert!(radius * 10f64.powf(size) < 1e-4 * scale),
+                (Met::Nothing, None) => {}
+            }
+        }
     }
 
     proptest! {

@@ -39,6 +39,8 @@ pub(super) struct Flattened {
     pub projectors: Vec<Solid>,
     /// For questions of the scene language, whose extents the boxes are.
     asked: bool,
+    /// The last leaf's: siblings mostly stand in one place.
+    last_place: Option<Arc<Placement>>,
     surface_numbers: HashMap<SurfaceKey, u32>,
     shading_numbers: HashMap<Shading, u32>,
 }
@@ -229,6 +231,16 @@ impl Flattened {
         Some(Built { solid: self.compound(wrapper), bounds, extent: clipped })
     }
 
+    fn place(&mut self, to_world: Transform) -> Option<Arc<Placement>> {
+        if to_world.is_identity() {
+            return None;
+        }
+        if self.last_place.as_ref().is_none_or(|last| last.transform != to_world) {
+            self.last_place = Some(Arc::new(Placement::new(to_world)));
+        }
+        self.last_place.clone()
+    }
+
     fn leaf(&mut self, object: &Object, outer: &Inherited) -> Built {
         let Body::Shape(shape) = &object.body else { unreachable!("leaf of a combination") };
         let inner = self.inherit(object, outer);
@@ -273,9 +285,10 @@ impl Flattened {
             hull: slightly_grown(to_world.bounds(&shape.inside_bounds())),
             outside: inverted,
         };
+        let place = self.place(to_world);
         self.geometry.leaves.push(Leaf {
             shape,
-            place: (!to_world.is_identity()).then(|| Box::new(Placement::new(to_world))),
+            place,
             surface,
             interior_surface,
             parts,

@@ -20,7 +20,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct Leaf {
     pub shape: Arc<dyn Shape>,
     /// Takes the shape's space to the world; `None` if they are the same.
-    pub place: Option<Box<Placement>>,
+    pub place: Option<Arc<Placement>>,
     pub surface: u32,
     pub interior_surface: u32,
     /// First of the parts' surfaces in `World::part_surfaces`.
