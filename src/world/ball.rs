@@ -1,27 +1,24 @@
 //! Spheres side by side, so that a ray that misses one touches nothing else of it.
 
-use super::geometry::Found;
 use super::placement::Placement;
 use crate::math::{EPSILON, Range, Ray, Vec3};
-use crate::shape::{Crossing, Shape, sphere_span};
+use crate::shape::{Shape, sphere_span};
 
 /// A sphere in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(32))]
 pub(super) struct Ball {
     center: Vec3,
-    /// NaN for what is no sphere.
+    /// Negative if the ball is a little too large, so that the shape itself is to be asked; NaN for what is no
+    /// sphere.
     radius: f64,
-    /// How many units of the shape's space one of the world's is; 0 if the ball is a little too large, so that
-    /// the shape itself is to be asked.
-    units: f64,
-    leaf: u32,
 }
 
 /// What a ray has to do with a ball.
 pub(super) enum Met {
     Nothing,
-    /// The nearest crossing inside the range, its upper end taken in.
-    Sphere(Found),
+    /// The nearest crossing inside the range, its upper end taken in, is at this distance.
+    Sphere(f64),
     /// Ask the shape.
     Perhaps,
 }
@@ -32,52 +29,55 @@ const ROOM: f64 = 64.0 * EPSILON;
 const SMALL: f64 = 1e-5;
 
 impl Ball {
-    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN, units: 0.0, leaf: 0 };
+    pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN };
 
-    /// `None` unless `shape`, that of a leaf, is a sphere in the world too. What is hit is found in the sphere's
-    /// own space in any case; here only distances are measured.
-    pub fn new(shape: &dyn Shape, place: Option<&Placement>, leaf: u32) -> Option<Ball> {
+    /// `None` unless `shape` is a sphere in the world too. What is hit is found in the sphere's own space in any
+    /// case; here only distances are measured.
+    pub fn new(shape: &dyn Shape, place: Option<&Placement>) -> Option<Ball> {
         let (center, radius) = shape.sphere()?;
-        let Some(place) = place else { return Some(Ball { center, radius, units: 1.0, leaf }) };
+        let Some(place) = place else { return Some(Ball { center, radius }) };
         let units = place.even_scale()?;
         let there = place.transform.forward.translation.abs() + center.abs() / units;
-        let (center, radius) = (place.transform.point(center), radius / units);
-        if !(center.is_finite() && radius.is_finite()) {
+        let ball = Ball { center: place.transform.point(center), radius: radius / units };
+        if !(ball.center.is_finite() && ball.radius.is_finite()) {
             return None;
         }
-        if radius > SMALL * there.max_element() {
-            return Some(Ball { center, radius, units, leaf });
-        }
-        let radius = radius * (1.0 + ROOM) + ROOM * center.abs().max_element();
-        Some(Ball { center, radius, units: 0.0, leaf })
+        Some(if ball.radius > SMALL * there.max_element() { ball } else { ball.loose() })
     }
 
-    #[inline]
+    /// The same, a little too large.
+    fn loose(self) -> Ball {
+        let radius = self.radius * (1.0 + ROOM) + ROOM * self.center.abs().max_element();
+        Ball { radius: -radius, ..self }
+    }
+
+    #[inline(always)]
     pub fn meet(&self, ray: &Ray, range: Range) -> Met {
-        if self.units == 0.0 {
-            let ruled_out = !self.radius.is_nan() && !self.may_be_met(ray, range);
-            return if ruled_out { Met::Nothing } else { Met::Perhaps };
+        if self.radius.is_nan() || self.radius < 0.0 {
+            return self.maybe_meet(ray, range);
         }
         let Some((near, far)) = sphere_span(ray.origin - self.center, ray.dir, self.radius) else {
             return Met::Nothing;
         };
         let t = if near > range.min { near } else { far };
-        if t > range.min && t <= range.max {
-            Met::Sphere(Found { t, leaf: self.leaf, crossing: Crossing::new(t * self.units) })
-        } else {
-            Met::Nothing
-        }
+        if t > range.min && t <= range.max { Met::Sphere(t) } else { Met::Nothing }
+    }
+
+    #[inline(never)]
+    fn maybe_meet(&self, ray: &Ray, range: Range) -> Met {
+        let ruled_out = !self.radius.is_nan() && !self.may_be_met(ray, range);
+        if ruled_out { Met::Nothing } else { Met::Perhaps }
     }
 
     /// False only if the ray has no point inside `range` that lies in the sphere.
-    #[inline]
     fn may_be_met(&self, ray: &Ray, range: Range) -> bool {
         let to = self.center - ray.origin;
         let along = to.dot(ray.dir);
         let beside = to - along * ray.dir;
         // Roundings of the difference are bounded by the two places' sizes: the center's is in the radius.
-        let slack = ROOM * (along.abs() + self.radius);
-        let reach = self.radius + slack;
+        let radius = self.radius.abs();
+        let slack = ROOM * (along.abs() + radius);
+        let reach = radius + slack;
         let chord2 = reach * reach - beside.length_squared();
         if chord2 < 0.0 {
             return false;
@@ -91,7 +91,7 @@ impl Ball {
 mod tests {
     use super::*;
     use crate::math::Transform;
-    use crate::shape::Sphere;
+    use crate::shape::{Crossing, Sphere};
     use proptest::prelude::*;
 
     fn vector(size: f64) -> impl Strategy<Value = Vec3> {
@@ -130,9 +130,8 @@ mod tests {
 
     /// A ball that only rules out.
     fn loose(sphere: &Sphere, place: &Placement) -> Ball {
-        let ball = Ball::new(sphere, Some(place), 0).expect("a sphere");
-        let radius = ball.radius * (1.0 + ROOM) + ROOM * ball.center.abs().max_element();
-        Ball { radius, units: 0.0, ..ball }
+        let ball = Ball::new(sphere, Some(place)).expect("a sphere");
+        if ball.radius < 0.0 { ball } else { ball.loose() }
     }
 
     #[test]
@@ -160,7 +159,7 @@ mod tests {
                 .then(&Transform::rotate(turn))
                 .then(&Transform::translate(shift));
             let place = Placement::new(t);
-            let ball = Ball::new(&sphere, Some(&place), 3).expect("a sphere");
+            let ball = Ball::new(&sphere, Some(&place)).expect("a sphere");
             let target = t.point(center + radius * aim);
             let dir = side.normalize();
             let ray = Ray::new(target - far * dir, dir);
@@ -170,19 +169,18 @@ mod tests {
             match (ball.meet(&ray, Range::FORWARD), expected) {
                 (Met::Sphere(found), Some(crossing)) => {
                     // Grazing rays meet less exactly.
-                    let steep = ((found.t * dir + ray.origin).distance(ball.center) / ball.radius).min(1.0);
-                    let normal = (ray.at(found.t) - ball.center) / ball.radius;
+                    let steep = ((found * dir + ray.origin).distance(ball.center) / ball.radius).min(1.0);
+                    let normal = (ray.at(found) - ball.center) / ball.radius;
                     let room = 1e-13 * scale / (steep * normal.dot(dir).abs()).max(1e-3);
-                    prop_assert!((found.t - crossing.t / length).abs() <= room, "{} {}", found.t, crossing.t / length);
-                    prop_assert!((found.crossing.t - crossing.t).abs() <= room * length);
+                    prop_assert!((found - crossing.t / length).abs() <= room, "{} {}", found, crossing.t / length);
                 }
                 (Met::Nothing, Some(c)) => {
                     let p = local.at(c.t) - center;
                     prop_assert!((p / radius).dot(local.dir).abs() < 1e-3 || c.t / length < 1e-12 * scale);
                 }
                 (Met::Sphere(found), None) => {
-                    let normal = (ray.at(found.t) - ball.center) / ball.radius;
-                    prop_assert!(normal.dot(dir).abs() < 1e-3 || found.t < 1e-12 * scale);
+                    let normal = (ray.at(found) - ball.center) / ball.radius;
+                    prop_assert!(normal.dot(dir).abs() < 1e-3 || found < 1e-12 * scale);
                 }
                 (Met::Perhaps, _) => prop_assert!(radius * 10f64.powf(size) < 1e-4 * scale),
                 (Met::Nothing, None) => {}
@@ -198,12 +196,12 @@ mod tests {
         ) {
             prop_assume!(dir.length() > 0.1);
             let sphere = Sphere::new(center, -radius);
-            let ball = Ball::new(&sphere, None, 7).expect("a sphere");
+            let ball = Ball::new(&sphere, None).expect("a sphere");
             let ray = Ray::new(origin, dir.normalize());
             for max in [end, f64::INFINITY] {
                 let expected = sphere.nearest(&ray, Range::new(0.0, max));
                 match ball.meet(&ray, Range::new(0.0, max)) {
-                    Met::Sphere(found) => prop_assert_eq!((Some(found.crossing), found.leaf), (expected, 7)),
+                    Met::Sphere(found) => prop_assert_eq!(Some(Crossing::new(found)), expected),
                     Met::Nothing => prop_assert_eq!(expected, None),
                     Met::Perhaps => prop_assert!(false, "the shape was not asked"),
                 }

@@ -123,18 +123,26 @@ struct Nearest {
     found: Option<Found>,
     root: u32,
     hidden: u8,
+    /// The crossing is a ball's: its distance in the shape's units is not worked out yet.
+    of_ball: bool,
 }
 
 impl Nearest {
-    /// Takes a crossing at a distance of at most `max`, if it counts; the new end of the range.
+    fn of(class: RayClass) -> Nearest {
+        Nearest { found: None, root: NONE, hidden: class.bit(), of_ball: false }
+    }
+
+    /// Takes a ball's crossing at a distance of at most `max`, if it counts; the new end of the range.
     #[inline]
-    fn take(&mut self, item: &Item, found: Found, max: f64) -> f64 {
-        if item.hidden & self.hidden != 0 || (found.t == max && item.root >= self.root) {
+    fn take(&mut self, item: &Item, t: f64, max: f64) -> f64 {
+        let Solid::Leaf(leaf) = item.solid else { return max };
+        if item.hidden & self.hidden != 0 || (t == max && item.root >= self.root) {
             return max;
         }
-        self.found = Some(found);
+        self.found = Some(Found { t, leaf, crossing: Crossing::new(t) });
         self.root = item.root;
-        found.t
+        self.of_ball = true;
+        t
     }
 }
 
@@ -165,7 +173,7 @@ impl Geometry {
     fn ball(&self, solid: Solid) -> Option<Ball> {
         let Solid::Leaf(i) = solid else { return None };
         let leaf = &self.leaves[i as usize];
-        Ball::new(leaf.shape.as_ref(), leaf.place.as_deref(), i)
+        Ball::new(leaf.shape.as_ref(), leaf.place.as_deref())
     }
 
     /// The nearest crossing among the roots that `class` sees. Of equal distances the root that the scene
@@ -195,7 +203,7 @@ impl Geometry {
         range: Range,
         class: RayClass,
     ) -> Option<Found> {
-        let mut best = Nearest { found: None, root: NONE, hidden: class.bit() };
+        let mut best = Nearest::of(class);
         let mut max = range.max;
         for item in &self.infinite {
             max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
@@ -211,12 +219,23 @@ impl Geometry {
                 let item = &self.finite[place as usize];
                 match self.balls[place as usize].meet(ray, within) {
                     Met::Nothing => max,
-                    Met::Sphere(found) => best.take(item, found, max),
+                    Met::Sphere(t) => best.take(item, t, max),
                     Met::Perhaps => self.nearer(&mut best, item, ray, within),
                 }
             });
         }
+        if let Nearest { of_ball: true, found: Some(found), .. } = &mut best {
+            self.measure_inside(found);
+        }
         best.found
+    }
+
+    /// Gives a ball's crossing its distance in the shape's units.
+    #[inline]
+    fn measure_inside(&self, found: &mut Found) {
+        if let Some(place) = &self.leaves[found.leaf as usize].place {
+            found.crossing.t = found.t * place.even_scale().unwrap_or(1.0);
+        }
     }
 
     /// Takes a root into `best` if it is crossed nearer; the new end of the range.
@@ -230,6 +249,7 @@ impl Geometry {
             Some(found) => {
                 best.found = Some(found);
                 best.root = item.root;
+                best.of_ball = false;
                 found.t.min(range.max)
             }
             None => range.max,
@@ -249,8 +269,8 @@ impl Geometry {
         self.obstacle_among(between, &between.infinite, ray, range, &mut nobody)
     }
 
-    /// What stands in the way of light inside `range`. `last` remembers which opaque root did, and it is asked
-    /// first: neighbouring rays are mostly stopped by the same object.
+    /// What stands in the way of light inside `range`. `last` remembers which opaque finite object did by
+    /// its place, and it is asked first: neighbouring rays are mostly stopped by the same object.
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
         match &self.search {
             Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last),
@@ -276,16 +296,24 @@ impl Geometry {
         range: Range,
         last: &mut u32,
     ) -> Obstacle<Found> {
-        if *last != NONE {
-            let root = &self.roots[*last as usize];
-            if root.casts_shadow() && self.meets(root.solid, ray, range) {
-                return Obstacle::Opaque;
-            }
+        if *last != NONE && self.is_met_at(*last, ray, range) {
+            return Obstacle::Opaque;
         }
         self.obstacle_among(finite, &self.infinite, ray, range, last)
     }
 
-    /// Leaves the object `last` out, which has been asked, and notes another one there that stops the ray.
+    /// Whether the finite object at a place is met.
+    #[inline]
+    fn is_met_at(&self, place: u32, ray: &Ray, range: Range) -> bool {
+        let meets = || self.meets(self.finite[place as usize].solid, ray, range);
+        match self.balls.get(place as usize).map(|ball| ball.meet(ray, range)) {
+            Some(Met::Nothing) => false,
+            Some(Met::Sphere(t)) => t < range.max,
+            Some(Met::Perhaps) | None => meets(),
+        }
+    }
+
+    /// Leaves the finite object `last` out, which has been asked, and notes another one there that stops the ray.
     #[inline(always)]
     fn obstacle_among(
         &self,
@@ -296,31 +324,32 @@ impl Geometry {
         last: &mut u32,
     ) -> Obstacle<Found> {
         let skipped = *last;
-        let mut filter = Nearest { found: None, root: NONE, hidden: RayClass::Filtered.bit() };
+        let mut filter = Nearest::of(RayClass::Filtered);
         let mut max = range.max;
         // Whether it is met may be known already.
-        let mut stops = |item: &Item, met: Option<bool>| {
+        let mut stops = |item: &Item, place: u32, met: Option<bool>| {
             if !item.shades {
                 max = self.nearer(&mut filter, item, ray, Range::new(range.min, max));
                 return false;
             }
-            let stopped = item.root != skipped && met.unwrap_or_else(|| self.meets(item.solid, ray, range));
+            let skips = place == skipped && place != NONE;
+            let stopped = !skips && met.unwrap_or_else(|| self.meets(item.solid, ray, range));
             if stopped {
-                *last = item.root;
+                *last = place;
             }
             stopped
         };
-        let stopped = infinite.iter().any(|item| stops(item, None))
+        let stopped = infinite.iter().any(|item| stops(item, NONE, None))
             || if self.balls.is_empty() {
-                finite.any(ray, range, |place| stops(&self.finite[place as usize], None))
+                finite.any(ray, range, |place| stops(&self.finite[place as usize], place, None))
             } else {
                 finite.any(ray, range, |place| {
                     let met = match self.balls[place as usize].meet(ray, range) {
                         Met::Nothing => return false,
-                        Met::Sphere(found) => Some(found.t < range.max),
+                        Met::Sphere(t) => Some(t < range.max),
                         Met::Perhaps => None,
                     };
-                    stops(&self.finite[place as usize], met)
+                    stops(&self.finite[place as usize], place, met)
                 })
             };
         match (stopped, filter.found) {

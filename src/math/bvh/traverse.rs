@@ -30,6 +30,17 @@ struct Setup {
     advance: f64,
 }
 
+impl Setup {
+    const NONE: Setup = Setup {
+        near_inverse: [0.0; 4],
+        near_offset: [0.0; 4],
+        far_inverse: [0.0; 4],
+        far_offset: [0.0; 4],
+        planes: &PLANES[0],
+        advance: 0.0,
+    };
+}
+
 /// Where in a node's bounds the near plane of each axis begins, and the far one.
 struct Planes {
     near: [usize; 3],
@@ -98,8 +109,13 @@ impl Bvh {
     #[target_feature(enable = "avx2,fma")]
     #[inline]
     fn walk_wide<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
-        let setup = self.setup_near(ray, range);
-        let Some(setup) = setup.or_else(|| self.setup(ray, range)) else { return };
+        let mut setup = Setup::NONE;
+        if !self.setup_near(ray, range, &mut setup) {
+            match self.setup(ray, range) {
+                Some(moved) => setup = moved,
+                None => return,
+            }
+        }
         with_stack(self.stack_size, |stack| wide::<SORTED>(self, &setup, range, stack, visit));
     }
 
@@ -130,11 +146,12 @@ impl Bvh {
         })
     }
 
-    /// The same, quicker, for a ray that starts near the tree and need not be moved; else `None`.
+    /// The same, quicker and written to where it is read, for a ray that starts near the tree and need not be
+    /// moved; else false.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma")]
     #[inline]
-    fn setup_near(&self, ray: &Ray, range: Range) -> Option<Setup> {
+    fn setup_near(&self, ray: &Ray, range: Range, setup: &mut Setup) -> bool {
         use std::arch::x86_64::*;
         let four = |v: Vec3, w: f64| _mm256_set_pd(w, v.z, v.y, v.x);
         let o = _mm256_mul_pd(
@@ -144,7 +161,7 @@ impl Bvh {
         let size = _mm256_andnot_pd(_mm256_set1_pd(-0.0), o);
         let is_near = _mm256_cmp_pd::<_CMP_LT_OQ>(size, _mm256_set1_pd(NEAR));
         if _mm256_movemask_pd(is_near) != 15 || range.min < 0.0 {
-            return None;
+            return false;
         }
         let (sign, limit) = (_mm_set1_ps(-0.0), _mm_set1_ps(LARGEST_INVERSE as f32));
         let inverse = _mm_div_ps(_mm_set1_ps(1.0), _mm256_cvtpd_ps(four(ray.dir, 1.0)));
@@ -156,17 +173,20 @@ impl Bvh {
         let far_inverse = _mm_mul_ps(inverse, _mm_set1_ps(1.0 + SLACK));
         let near_offset = _mm_mul_ps(_mm_add_ps(o, pad), inverse);
         let far_offset = _mm_mul_ps(_mm_sub_ps(o, pad), far_inverse);
-        let planes = &PLANES[_mm_movemask_ps(inverse) as usize & 7];
-        let mut rows = [[0f32; 4]; 4];
-        for (row, value) in rows.iter_mut().zip([inverse, near_offset, far_inverse, far_offset]) {
+        setup.planes = &PLANES[_mm_movemask_ps(inverse) as usize & 7];
+        let put = |row: &mut [f32; 4], value| {
             // SAFETY: a row holds four singles; stores need no alignment.
             #[allow(unsafe_code)]
             unsafe {
                 _mm_storeu_ps(row.as_mut_ptr(), value);
             }
-        }
-        let [near_inverse, near_offset, far_inverse, far_offset] = rows;
-        Some(Setup { near_inverse, near_offset, far_inverse, far_offset, planes, advance: 0.0 })
+        };
+        put(&mut setup.near_inverse, inverse);
+        put(&mut setup.near_offset, near_offset);
+        put(&mut setup.far_inverse, far_inverse);
+        put(&mut setup.far_offset, far_offset);
+        setup.advance = 0.0;
+        true
     }
 
     /// What the move into the tree's coordinates may cost a ray that starts near the tree.
@@ -335,7 +355,8 @@ macro_rules! traversal {
             mut visit: impl FnMut(u32, f64) -> f64,
         ) {
             let mut max = range.max;
-            let tree_min = (((range.min - s.advance) * bvh.scale) as f32).max(0.0);
+            let tree_min = ((range.min - s.advance) * bvh.scale) as f32;
+            let tree_min = if tree_min > 0.0 { tree_min } else { 0.0 };
             let mut limit = tree_limit(bvh, s, max);
             let mut near = [0f32; WIDTH];
             let mut entry = 0u32;
@@ -415,9 +436,12 @@ pub(super) mod tests {
                 continue;
             }
             let ray = Ray::new(random.vector(10f64.powi(i as i32 % 7 - 4)), dir.normalize());
-            // SAFETY: the features were detected above.
+            let mut quick = Setup::NONE;
             #[allow(unsafe_code)]
-            let Some(quick) = (unsafe { bvh.setup_near(&ray, Range::FORWARD) }) else { continue };
+            // SAFETY: the features were detected above.
+            if !unsafe { bvh.setup_near(&ray, Range::FORWARD, &mut quick) } {
+                continue;
+            }
             let Some(slow) = bvh.setup(&ray, Range::FORWARD) else { continue };
             assert!(std::ptr::eq(quick.planes, slow.planes), "{ray:?}");
             for a in 0..3 {
