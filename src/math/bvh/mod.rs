@@ -15,6 +15,8 @@ mod build;
 mod chunks;
 mod shaft;
 mod traverse;
+#[cfg(target_arch = "x86_64")]
+mod wide;
 
 use super::{Aabb, Accelerator, Range, Ray, Vec3};
 

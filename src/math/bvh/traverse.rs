@@ -1,5 +1,9 @@
+#[cfg(target_arch = "x86_64")]
+use super::wide;
 use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
 use crate::math::{Range, Ray, Vec3};
+#[cfg(target_arch = "x86_64")]
+use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 
 /// Room for the relative rounding of slab distances in single precision: direction, reciprocal, product with
@@ -20,12 +24,12 @@ const STACK: usize = 96;
 
 /// A ray in the tree's coordinates, with its rounding bounds worked in: slab distances are
 /// `plane * inverse - offset`, from an origin moved back for near planes and forward for far ones.
-struct Setup {
-    near_inverse: [f32; 4],
-    near_offset: [f32; 4],
-    far_inverse: [f32; 4],
-    far_offset: [f32; 4],
-    planes: &'static Planes,
+pub(super) struct Setup {
+    pub near_inverse: [f32; 4],
+    pub near_offset: [f32; 4],
+    pub far_inverse: [f32; 4],
+    pub far_offset: [f32; 4],
+    pub planes: &'static Planes,
     /// How far the ray was moved along itself before it was rounded, in the caller's units.
     advance: f64,
 }
@@ -42,9 +46,9 @@ impl Setup {
 }
 
 /// Where in a node's bounds the near plane of each axis begins, and the far one.
-struct Planes {
-    near: [usize; 3],
-    far: [usize; 3],
+pub(super) struct Planes {
+    pub near: [usize; 3],
+    pub far: [usize; 3],
 }
 
 /// For each set of axes along which a ray goes backward.
@@ -106,7 +110,7 @@ impl Bvh {
     }
 
     #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,fma")]
+    #[target_feature(enable = "avx2,fma,popcnt")]
     #[inline]
     fn walk_wide<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
         let mut setup = Setup::NONE;
@@ -116,7 +120,7 @@ impl Bvh {
                 None => return,
             }
         }
-        with_stack(self.stack_size, |stack| wide::<SORTED>(self, &setup, range, stack, visit));
+        wide::walk::<SORTED>(self, &setup, range, visit);
     }
 
     #[inline(never)]
@@ -152,7 +156,6 @@ impl Bvh {
     #[target_feature(enable = "avx2,fma")]
     #[inline]
     fn setup_near(&self, ray: &Ray, range: Range, setup: &mut Setup) -> bool {
-        use std::arch::x86_64::*;
         let four = |v: Vec3, w: f64| _mm256_set_pd(w, v.z, v.y, v.x);
         let o = _mm256_mul_pd(
             _mm256_sub_pd(four(ray.origin, 0.0), four(self.center, 0.0)),
@@ -201,7 +204,9 @@ impl Bvh {
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 fn has_wide() -> bool {
-    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+    std::arch::is_x86_feature_detected!("avx2")
+        && std::arch::is_x86_feature_detected!("fma")
+        && std::arch::is_x86_feature_detected!("popcnt")
 }
 
 /// Lends `body` room for `size` waiting children.
@@ -249,6 +254,17 @@ impl Stack<'_> {
     fn pop(&mut self) -> Option<u64> {
         self.top = self.top.checked_sub(1)?;
         Some(self.get(self.top))
+    }
+
+    /// Takes the topmost child whose box is no further than `limit`.
+    #[inline(always)]
+    fn next(&mut self, limit: f32) -> Option<u32> {
+        loop {
+            let item = self.pop()?;
+            if f32::from_bits((item >> 32) as u32) <= limit {
+                return Some(item as u32);
+            }
+        }
     }
 
     /// An item in a place below the old top.
@@ -300,114 +316,69 @@ fn slabs(node: &Node, s: &Setup, min: f32, max: f32, near: &mut [f32; WIDTH]) ->
     mask
 }
 
-/// [`slabs`], eight at once, with products that are not rounded.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-#[inline]
-fn slabs_wide(node: &Node, s: &Setup, min: f32, max: f32, near: &mut [f32; WIDTH]) -> u32 {
-    use std::arch::x86_64::*;
-    // Sixteen registers that hold the ray would have to be saved whenever a leaf is visited: better read anew.
-    let s = std::hint::black_box(s);
-    // SAFETY: `Node` begins with its bounds and is aligned to 32 bytes; `PLANES` holds places of whole rows of
-    // eight singles in it; `near` is written unaligned and holds eight singles.
-    #[allow(unsafe_code)]
-    unsafe {
-        let bounds = node.bounds.as_ptr().cast::<f32>();
-        let mut lo = _mm256_set1_ps(min);
-        let mut hi = _mm256_set1_ps(max);
-        for axis in 0..3 {
-            let a = _mm256_load_ps(bounds.add(s.planes.near[axis]));
-            let b = _mm256_load_ps(bounds.add(s.planes.far[axis]));
-            let all = |x: f32| _mm256_set1_ps(x);
-            let n = _mm256_fmsub_ps(a, all(s.near_inverse[axis]), all(s.near_offset[axis]));
-            let f = _mm256_fmsub_ps(b, all(s.far_inverse[axis]), all(s.far_offset[axis]));
-            lo = _mm256_max_ps(n, lo);
-            hi = _mm256_min_ps(f, hi);
-        }
-        _mm256_storeu_ps(near.as_mut_ptr(), lo);
-        _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(lo, hi)) as u32
-    }
-}
-
 /// A child with the distance to its box, in one word that sorts by distance: distances are not negative.
 #[inline(always)]
 fn packed(distance: f32, child: u32) -> u64 {
     u64::from(distance.to_bits()) << 32 | u64::from(child)
 }
 
+/// Distances from which on children are worth opening.
+#[inline(always)]
+pub(super) fn tree_start(bvh: &Bvh, s: &Setup, range: Range) -> f32 {
+    let start = ((range.min - s.advance) * bvh.scale) as f32;
+    if start > 0.0 { start } else { 0.0 }
+}
+
 /// Distances up to which children are worth opening.
 #[inline(always)]
-fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
+pub(super) fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
     let distance = ((max - s.advance) * bvh.scale) as f32;
     distance * (1.0 + 2.0 * SLACK) + f32::MIN_POSITIVE
 }
 
-/// Writes the traversal once for each slab test.
-macro_rules! traversal {
-    ($(#[$attribute:meta])* $name:ident, $slabs:path) => {
-        $(#[$attribute])*
-        #[inline]
-        fn $name<const SORTED: bool>(
-            bvh: &Bvh,
-            s: &Setup,
-            range: Range,
-            mut stack: Stack,
-            mut visit: impl FnMut(u32, f64) -> f64,
-        ) {
-            let mut max = range.max;
-            let tree_min = ((range.min - s.advance) * bvh.scale) as f32;
-            let tree_min = if tree_min > 0.0 { tree_min } else { 0.0 };
-            let mut limit = tree_limit(bvh, s, max);
-            let mut near = [0f32; WIDTH];
-            let mut entry = 0u32;
-            loop {
-                if entry & LEAF != 0 {
-                    for i in leaf_places(entry) {
-                        let closer = visit(bvh.primitive(i), max);
-                        if closer < max {
-                            max = closer;
-                            if max <= range.min {
-                                return;
-                            }
-                            limit = tree_limit(bvh, s, max);
-                        }
+/// The traversal without wide registers.
+fn plain<const SORTED: bool>(
+    bvh: &Bvh,
+    s: &Setup,
+    range: Range,
+    mut stack: Stack,
+    mut visit: impl FnMut(u32, f64) -> f64,
+) {
+    let mut max = range.max;
+    let tree_min = tree_start(bvh, s, range);
+    let mut limit = tree_limit(bvh, s, max);
+    let mut near = [0f32; WIDTH];
+    let mut entry = 0u32;
+    loop {
+        if entry & LEAF != 0 {
+            for i in leaf_places(entry) {
+                let closer = visit(bvh.primitive(i), max);
+                if closer < max {
+                    max = closer;
+                    if max <= range.min {
+                        return;
                     }
-                } else {
-                    let node = &bvh.nodes[entry as usize];
-                    let mut mask = $slabs(node, s, tree_min, limit, &mut near);
-                    if mask != 0 && mask & (mask - 1) == 0 {
-                        entry = node.child[mask.trailing_zeros() as usize];
-                        continue;
-                    }
-                    let bottom = stack.top;
-                    while mask != 0 {
-                        let i = mask.trailing_zeros() as usize;
-                        mask &= mask - 1;
-                        let item = packed(near[i], node.child[i]);
-                        // Nearest on top.
-                        if SORTED { stack.insert(item, bottom) } else { stack.push(item) }
-                    }
-                }
-                loop {
-                    let Some(item) = stack.pop() else { return };
-                    if f32::from_bits((item >> 32) as u32) <= limit {
-                        entry = item as u32;
-                        break;
-                    }
+                    limit = tree_limit(bvh, s, max);
                 }
             }
+        } else {
+            let node = &bvh.nodes[entry as usize];
+            let mut mask = slabs(node, s, tree_min, limit, &mut near);
+            let bottom = stack.top;
+            while mask != 0 {
+                let i = mask.trailing_zeros() as usize;
+                mask &= mask - 1;
+                let item = packed(near[i], node.child[i]);
+                // Nearest on top.
+                if SORTED { stack.insert(item, bottom) } else { stack.push(item) }
+            }
         }
-    };
+        match stack.next(limit) {
+            Some(next) => entry = next,
+            None => return,
+        }
+    }
 }
-
-traversal!(plain, slabs);
-
-#[cfg(target_arch = "x86_64")]
-traversal!(
-    #[target_feature(enable = "avx2,fma")]
-    wide,
-    slabs_wide
-);
 
 #[cfg(test)]
 pub(super) mod tests {
@@ -474,15 +445,18 @@ pub(super) mod tests {
             let ray = Ray::new(random.vector(2.0), random.direction());
             let Some(s) = bvh.setup(&ray, Range::FORWARD) else { continue };
             for node in &bvh.nodes {
-                let (mut a, mut b) = ([0f32; WIDTH], [0f32; WIDTH]);
+                let mut a = [0f32; WIDTH];
                 let p = slabs(node, &s, 0.0, f32::INFINITY, &mut a);
                 // SAFETY: the features were detected above.
                 #[allow(unsafe_code)]
-                let w = unsafe { slabs_wide(node, &s, 0.0, f32::INFINITY, &mut b) };
+                let (w, b, nearest) = unsafe { wide::slabs_of(node, &s, 0.0, f32::INFINITY) };
                 assert_eq!(p, w);
-                for i in (0..WIDTH).filter(|i| p >> i & 1 == 1) {
+                let met = || (0..WIDTH).filter(|i| p >> i & 1 == 1);
+                for i in met() {
                     assert!((a[i] - b[i]).abs() <= 1e-5 * (1.0 + a[i].abs()), "{} {}", a[i], b[i]);
                 }
+                let least = met().map(|i| b[i]).reduce(f32::min);
+                assert!(least.is_none_or(|least| b[nearest] == least && p >> nearest & 1 == 1));
             }
         }
     }
