@@ -2,9 +2,9 @@
 use super::wide;
 use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
 use crate::math::{Range, Ray, Vec3};
+use smallvec::SmallVec;
 #[cfg(target_arch = "x86_64")]
 use std::arch::x86_64::*;
-use std::mem::MaybeUninit;
 
 /// Room for the relative rounding of slab distances in single precision: direction, reciprocal, product with
 /// the plane and with the origin, on both sides.
@@ -18,9 +18,6 @@ const ROUNDING: f64 = 4.01 * f64::EPSILON;
 const SINGLE_ROUNDING: f64 = 6.0 * f32::EPSILON as f64;
 /// Rays that start nearer to the tree's middle than this, in the tree's coordinates, are not moved.
 const NEAR: f64 = 16.0;
-
-/// Room for waiting children that a ray sets aside without asking for memory; deeper trees ask.
-const STACK: usize = 96;
 
 /// A ray in the tree's coordinates, with its rounding bounds worked in: slab distances are
 /// `plane * inverse - offset`, from an origin moved back for near planes and forward for far ones.
@@ -106,7 +103,7 @@ impl Bvh {
             return;
         }
         let Some(setup) = self.setup(ray, range) else { return };
-        with_stack(self.stack_size, |stack| plain::<SORTED>(self, &setup, range, stack, visit));
+        plain::<SORTED>(self, &setup, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
@@ -209,72 +206,23 @@ fn has_wide() -> bool {
         && std::arch::is_x86_feature_detected!("popcnt")
 }
 
-/// Lends `body` room for `size` waiting children.
-#[inline(always)]
-fn with_stack(size: usize, body: impl FnOnce(Stack)) {
-    let mut own = [const { MaybeUninit::uninit() }; STACK];
-    let mut grown = Vec::new();
-    let items = if size <= STACK {
-        &mut own[..]
-    } else {
-        grown.resize(size, MaybeUninit::uninit());
-        &mut grown
-    };
-    body(Stack { items, top: 0 });
-}
+/// Children that wait to be opened, [`packed`].
+struct Stack(SmallVec<[u64; 96]>);
 
-/// Children that wait to be opened, [`packed`]. Its room is not cleared first, which would take longer than many
-/// a ray.
-struct Stack<'a> {
-    items: &'a mut [MaybeUninit<u64>],
-    /// As many have been written.
-    top: usize,
-}
-
-impl Stack<'_> {
-    #[inline(always)]
-    fn push(&mut self, item: u64) {
-        self.items[self.top].write(item);
-        self.top += 1;
-    }
-
+impl Stack {
     /// Puts an item below those smaller than it, but not below place `bottom`.
-    #[inline(always)]
     fn insert(&mut self, item: u64, bottom: usize) {
-        let mut at = self.top;
-        while at > bottom && self.get(at - 1) < item {
-            self.items[at] = self.items[at - 1];
-            at -= 1;
-        }
-        self.items[at].write(item);
-        self.top += 1;
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<u64> {
-        self.top = self.top.checked_sub(1)?;
-        Some(self.get(self.top))
+        let above = self.0[bottom..].iter().rev().take_while(|&&other| other < item).count();
+        self.0.insert(self.0.len() - above, item);
     }
 
     /// Takes the topmost child whose box is no further than `limit`.
-    #[inline(always)]
     fn next(&mut self, limit: f32) -> Option<u32> {
         loop {
-            let item = self.pop()?;
+            let item = self.0.pop()?;
             if f32::from_bits((item >> 32) as u32) <= limit {
                 return Some(item as u32);
             }
-        }
-    }
-
-    /// An item in a place below the old top.
-    #[inline(always)]
-    fn get(&self, place: usize) -> u64 {
-        // SAFETY: `push` and `insert` write every place that they lift `top` above, and all callers ask below
-        // the `top` of before.
-        #[allow(unsafe_code)]
-        unsafe {
-            self.items[place].assume_init()
         }
     }
 }
@@ -337,13 +285,8 @@ pub(super) fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
 }
 
 /// The traversal without wide registers.
-fn plain<const SORTED: bool>(
-    bvh: &Bvh,
-    s: &Setup,
-    range: Range,
-    mut stack: Stack,
-    mut visit: impl FnMut(u32, f64) -> f64,
-) {
+fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
+    let mut stack = Stack(SmallVec::new());
     let mut max = range.max;
     let tree_min = tree_start(bvh, s, range);
     let mut limit = tree_limit(bvh, s, max);
@@ -364,13 +307,13 @@ fn plain<const SORTED: bool>(
         } else {
             let node = &bvh.nodes[entry as usize];
             let mut mask = slabs(node, s, tree_min, limit, &mut near);
-            let bottom = stack.top;
+            let bottom = stack.0.len();
             while mask != 0 {
                 let i = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
                 let item = packed(near[i], node.child[i]);
                 // Nearest on top.
-                if SORTED { stack.insert(item, bottom) } else { stack.push(item) }
+                if SORTED { stack.insert(item, bottom) } else { stack.0.push(item) }
             }
         }
         match stack.next(limit) {
@@ -385,6 +328,41 @@ pub(super) mod tests {
     use super::*;
     use crate::math::Aabb;
     use crate::math::bvh::Quality;
+
+    /// Without wide registers the same is found.
+    #[test]
+    fn the_plain_way_finds_what_the_wide_one_finds() {
+        let mut random = super::super::tests::Random::new(5);
+        for count in [1, 9, 700] {
+            let boxes: Vec<Aabb> = (0..count).map(|_| random.aabb(1.0, 0.1)).collect();
+            let bvh = Bvh::build(&boxes, Quality::Best);
+            let mut met = 0;
+            for _ in 0..500 {
+                let ray = Ray::new(random.vector(2.0), random.direction());
+                let setup = bvh.setup(&ray, Range::FORWARD);
+                let enter = |i: u32, max: f64| {
+                    let b = &boxes[i as usize];
+                    let (a, c) = ((b.min - ray.origin) / ray.dir, (b.max - ray.origin) / ray.dir);
+                    let (near, far) = (a.min(c).max_element().max(0.0), a.max(c).min_element());
+                    if near <= far && near < max { near } else { max }
+                };
+                let (mut wide, mut narrow) = (f64::INFINITY, f64::INFINITY);
+                bvh.traverse(&ray, Range::FORWARD, |i, max| {
+                    wide = enter(i, max);
+                    wide
+                });
+                if let Some(setup) = setup {
+                    plain::<true>(&bvh, &setup, Range::FORWARD, |i, max| {
+                        narrow = enter(i, max);
+                        narrow
+                    });
+                }
+                assert_eq!(wide, narrow, "{ray:?}");
+                met += usize::from(wide.is_finite());
+            }
+            assert!(met > 0);
+        }
+    }
 
     /// The quick way to set a ray up says what the other one says.
     #[test]
