@@ -333,10 +333,10 @@ pub(super) mod tests {
     #[test]
     fn the_plain_way_finds_what_the_wide_one_finds() {
         let mut random = super::super::tests::Random::new(5);
+        let mut met = 0;
         for count in [1, 9, 700] {
             let boxes: Vec<Aabb> = (0..count).map(|_| random.aabb(1.0, 0.1)).collect();
             let bvh = Bvh::build(&boxes, Quality::Best);
-            let mut met = 0;
             for _ in 0..500 {
                 let ray = Ray::new(random.vector(2.0), random.direction());
                 let setup = bvh.setup(&ray, Range::FORWARD);
@@ -360,8 +360,8 @@ pub(super) mod tests {
                 assert_eq!(wide, narrow, "{ray:?}");
                 met += usize::from(wide.is_finite());
             }
-            assert!(met > 0);
         }
+        assert!(met > 100, "{met}");
     }
 
     /// The quick way to set a ray up says what the other one says.
