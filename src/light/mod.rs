@@ -114,6 +114,14 @@ impl Light {
         self.arrival_from(p, offset, self.towards(p, offset))
     }
 
+    /// The share of light that a cone leaves at an angle of cosine `c` from its axis.
+    pub fn cone(&self, c: f64) -> f64 {
+        match &self.kind {
+            LightKind::Spot(beam) => beam.factor(c),
+            _ => 1.0,
+        }
+    }
+
     /// The same with what [`Light::towards`] said.
     #[inline]
     pub fn arrival_from(&self, p: Vec3, offset: Vec3, (direction, distance): (Vec3, f64)) -> Option<Arrival> {

@@ -3,7 +3,20 @@ use crate::function::{Surroundings, VectorFunction, VectorKind};
 use crate::math::Vec3;
 use crate::pattern::image::{ImageMap, OUTSIDE};
 use crate::pattern::{BlendMap, Blended, ColorMap, Context, Pattern, Setting, Signal};
+use glam::DAffine3;
+use std::cell::Cell;
 use std::sync::Arc;
+
+/// See [`Pigment::calmed`].
+#[derive(Clone, Debug)]
+pub struct Calm {
+    inward: DAffine3,
+    /// Turbulence hardly ever changes the pattern's value by more than this.
+    doubt: f64,
+}
+
+/// More doubt does not pay.
+const LARGEST_DOUBT: f64 = 0.1;
 
 /// A colour at every point.
 #[derive(Clone, Debug)]
@@ -133,6 +146,48 @@ impl Pigment {
                 }
             },
             (None, None) => Color::BLACK,
+        }
+    }
+
+    /// The colour but for `tolerance` in red, green and blue, where that takes less time.
+    pub fn color_within(&self, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
+        let (PigmentKind::Patterned, Some(PigmentMap::Colors(map))) = (&self.kind, &self.map) else {
+            return self.color(p, context);
+        };
+        let q = self.signal.warp(p);
+        Some(map.color(self.signal.value_within(q, context, &|a, b| map.spread(a, b) <= tolerance)))
+    }
+
+    /// The pigment as it would be without turbulence, if that is a small thing beside its pattern.
+    pub fn calmed(&self) -> Option<Calm> {
+        let steepness = self.signal.pattern.steepness()?;
+        let (inward, shift) = self.signal.calmed()?;
+        let doubt = 3.0 * steepness * shift;
+        (0.0 < doubt && doubt < LARGEST_DOUBT).then_some(Calm { inward, doubt })
+    }
+
+    /// As [`Pigment::color_within`], without turbulence: `None` where that does not tell.
+    pub fn calm_color(&self, calm: &Calm, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
+        let (PigmentKind::Patterned, Some(PigmentMap::Colors(map))) = (&self.kind, &self.map) else {
+            return None;
+        };
+        let (doubt, told) = (calm.doubt, Cell::new(false));
+        let settles = |low: f64, high: f64| {
+            told.set(map.spread(low - doubt, high + doubt) <= tolerance);
+            told.get() || high - low < doubt
+        };
+        let value = self.signal.value_within(calm.inward.transform_point3(p), context, &settles);
+        told.get().then(|| map.color(value))
+    }
+
+    /// The largest of red, green and blue that a plain pigment or one with a colour map has anywhere.
+    pub fn brightest(&self) -> Option<f32> {
+        match (&self.kind, &self.map) {
+            (PigmentKind::Plain(color), _) => Some(color.rgb.max_element()),
+            (PigmentKind::Patterned, Some(PigmentMap::Colors(map))) => {
+                map.items().map(|c| c.rgb.max_element()).reduce(f32::max)
+            }
+            _ => None,
         }
     }
 

@@ -1,5 +1,6 @@
 use super::warp::Warp;
 use crate::math::{Transform, Vec3};
+use glam::DAffine3;
 
 /// The transformations and warps of a pattern.
 ///
@@ -33,6 +34,25 @@ impl Chain {
     #[inline]
     pub fn apply(&self, p: Vec3) -> Vec3 {
         self.warps.iter().rev().fold(p, |p, warp| warp.apply(p))
+    }
+
+    /// The chain as one transformation without its turbulence, and how far that mostly moves a place at the end:
+    /// `None` if there are other warps.
+    pub fn calmed(&self) -> Option<(DAffine3, f64)> {
+        let (mut inward, mut shift) = (DAffine3::IDENTITY, 0.0);
+        for warp in self.warps.iter().rev() {
+            match warp {
+                Warp::Transform(t) => {
+                    inward = t.inverse * inward;
+                    // The mean stretch of directions.
+                    shift *=
+                        (t.inverse.matrix3.to_cols_array().iter().map(|c| c * c).sum::<f64>() / 3.0).sqrt();
+                }
+                Warp::Turbulence(turbulence) => shift = f64::hypot(shift, turbulence.shift()),
+                _ => return None,
+            }
+        }
+        Some((inward, shift))
     }
 
     /// A surface normal outside to the pattern's own space; only plain transformations act. Not normalised.

@@ -89,6 +89,23 @@ impl BlendMap<Color> {
             Blended::Two(t, &low, &high) => low.toward(high, t),
         }
     }
+
+    /// By how much red, green or blue differ at most between two values, or more: ups and downs add up.
+    pub fn spread(&self, low: f64, high: f64) -> f32 {
+        if !self.sorted {
+            return f32::INFINITY;
+        }
+        let mut sum = 0.0;
+        for pair in self.entries.windows(2) {
+            let ((from, a), (to, b)) = (&pair[0], &pair[1]);
+            if *to < low || *from > high {
+                continue;
+            }
+            let share = if to > from { (to.min(high) - from.max(low)) / (to - from) } else { 1.0 };
+            sum += (b.rgb - a.rgb).abs().max_element() * share as f32;
+        }
+        sum
+    }
 }
 
 #[cfg(test)]
@@ -123,6 +140,15 @@ mod tests {
                 other => panic!("{v}: {other:?}"),
             }
         }
+    }
+
+    #[test]
+    fn spread_sees_entries_between() {
+        let grey = |v: f32| Color { rgb: crate::color::Rgb::splat(v), ..Color::BLACK };
+        let map = BlendMap::new(vec![(0.0, grey(1.0)), (0.5, grey(0.5)), (0.5, grey(0.0)), (1.0, grey(0.0))]);
+        assert_eq!(map.spread(0.6, 0.9), 0.0);
+        assert_eq!(map.spread(0.25, 0.75), 0.75);
+        assert_eq!(map.spread(0.0, 0.25), 0.25);
     }
 
     #[test]

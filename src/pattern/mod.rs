@@ -193,6 +193,18 @@ pub enum Modifier {
 pub trait Pattern: Debug + Send + Sync {
     fn value(&self, p: Vec3, setting: &Setting) -> f64;
 
+    /// The value, or one near it as soon as `settles` says of a range that it lies in that no value there makes a
+    /// difference.
+    fn value_within(&self, p: Vec3, setting: &Setting, _settles: &dyn Fn(f64, f64) -> bool) -> f64 {
+        self.value(p, setting)
+    }
+
+    /// By how much the value mostly differs (root of the mean square) between places a little apart, per
+    /// distance; `None` if that is not known.
+    fn steepness(&self) -> Option<f64> {
+        None
+    }
+
     /// The pattern's name, for reports.
     fn name(&self) -> &'static str {
         std::any::type_name::<Self>().rsplit("::").next().unwrap_or_default()

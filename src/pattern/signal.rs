@@ -102,7 +102,11 @@ impl Signal {
     /// The map value at a warped point.
     #[inline]
     pub fn value(&self, warped: Vec3, context: &Context) -> f64 {
-        let mut v = self.pattern.value(warped, &self.setting(context));
+        self.shaped(self.pattern.value(warped, &self.setting(context)))
+    }
+
+    #[inline]
+    fn shaped(&self, mut v: f64) -> f64 {
         if self.frequency != 0.0 {
             v = v * self.frequency + self.phase;
             if !(0.0..PERIOD).contains(&v) {
@@ -113,6 +117,28 @@ impl Signal {
             v -= v.floor();
         }
         self.wave.shape(v)
+    }
+
+    /// The same, or a value near it as soon as `settles` says of a range that it lies in that no value there
+    /// makes a difference.
+    pub fn value_within(&self, warped: Vec3, context: &Context, settles: &dyn Fn(f64, f64) -> bool) -> f64 {
+        if !self.is_even() {
+            return self.value(warped, context);
+        }
+        let inside = |low: f64, high: f64| low >= 0.0 && high < 1.0 && settles(low, high);
+        self.shaped(self.pattern.value_within(warped, &self.setting(context), &inside))
+    }
+
+    /// Whether the pattern's values below 1 stay as they are.
+    fn is_even(&self) -> bool {
+        (self.frequency == 0.0 || (self.frequency == 1.0 && self.phase == 0.0)) && self.wave == Wave::Ramp
+    }
+
+    /// See [`Chain::calmed`]; with the turbulence that acts after the chain.
+    pub fn calmed(&self) -> Option<(glam::DAffine3, f64)> {
+        let (inward, shift) = self.chain.calmed().filter(|_| self.is_even())?;
+        let own = if self.displaced { self.turbulence.shift() } else { 0.0 };
+        Some((inward, f64::hypot(shift, own)))
     }
 
     /// The normal perturbed by the pattern's own rule, if it has one.

@@ -1,6 +1,7 @@
 //! The soft shadow of an area light: lamps of its grid are tested, corners first, and quarters of the grid
 //! where corners differ or where `adaptive` asks for it.
 
+use super::media::Worth;
 use super::path::{Departure, Interiors};
 use super::tracer::Tracer;
 use crate::color::Rgb;
@@ -24,6 +25,9 @@ const SCATTERED_SHARE: u32 = 4;
 
 /// Lights of fewer lamps look into uneven media for each, and are tested as a whole from places in media.
 const SHARE_FROM: usize = 9;
+
+/// So many lamps share one look into the media.
+const SHARED_BY: usize = super::shared_dimming::SHARE as usize;
 
 /// Marks a lamp that has not been tested.
 const UNTESTED: f32 = f32::NAN;
@@ -149,12 +153,16 @@ impl Tracer<'_> {
             _ => self.settings.overrides.area_samples,
         };
         if let Some(few) = few.filter(|&n| (n as usize) < lamps) {
+            self.shadow_worth = self.shadow_worth.shared(few as usize);
             return self.few_lamps(exposure, few.max(1));
         }
         let shares = self.needs.clouds && lamps >= SHARE_FROM && !self.settings.overrides.reference;
         if shares {
             let first = self.random.draw();
             self.shared_dimming.begin(first);
+            let worth = self.shadow_worth;
+            let whole = if worth.is_known() { worth } else { Worth::at_surface(exposure.color) };
+            self.shadow_worth = whole.shared(lamps / SHARED_BY);
         }
         let color = self.all_lamps(exposure, lamps);
         self.shared_dimming.end();

@@ -10,7 +10,7 @@ use crate::math::Vec3;
 use crate::world::{RayClass, WorldLight};
 
 /// Cosines below this count as unlit.
-const LIT: f64 = 1e-10;
+pub(super) const LIT: f64 = 1e-10;
 
 /// One layer as light sees it.
 pub(super) struct Look<'a> {

@@ -9,7 +9,7 @@ use super::path::{Departure, Path, Veil};
 use super::tracer::Tracer;
 use crate::color::{Rgb, grey};
 use crate::light::is_dark;
-use crate::material::Media;
+use crate::material::{Calm, Media};
 use crate::math::{Ray, Transform, Vec3, chi_square};
 use crate::world::{Hit, RayClass, WorldLight};
 use glam::DAffine3;
@@ -25,6 +25,11 @@ pub(super) struct Medium<'w> {
     uniform: Option<Rgb>,
     /// The last place asked for and the density there: light is followed from where it is scattered.
     last: Cell<(Vec3, Rgb)>,
+    /// The brightest colour of each density, and their product; empty if one is not known.
+    brightest: Vec<f32>,
+    /// The densities without turbulence.
+    calmed: Vec<Option<Calm>>,
+    largest: f32,
     /// Variances below which an interval has samples enough, by number of samples less 1.
     pub thresholds: Vec<f32>,
 }
@@ -32,8 +37,13 @@ pub(super) struct Medium<'w> {
 impl<'w> Medium<'w> {
     pub fn new(media: &'w Media, place: &Transform) -> Self {
         let plain = |d: &std::sync::Arc<crate::material::Pigment>| d.plain().map(|c| c.rgb);
+        let brightest: Option<Vec<f32>> = media.densities.iter().map(|d| d.brightest()).collect();
+        let brightest = brightest.unwrap_or_default();
         Self {
             media,
+            calmed: media.densities.iter().map(|d| d.calmed()).collect(),
+            largest: brightest.iter().product(),
+            brightest,
             world_to_medium: media.transform.then(place).inverse,
             uniform: media.densities.iter().map(plain).product(),
             last: Cell::new((Vec3::NAN, Rgb::ZERO)),
@@ -63,6 +73,33 @@ fn thresholds(media: &Media) -> Vec<f32> {
         .collect()
 }
 
+/// How much light a shadow ray may bring to the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Worth {
+    most: f32,
+    /// Less is little.
+    faint: f32,
+}
+
+impl Worth {
+    pub const UNKNOWN: Worth = Worth { most: f32::INFINITY, faint: 0.0 };
+
+    /// Of light that falls on a surface.
+    pub fn at_surface(color: Rgb) -> Self {
+        let most = color.abs().max_element();
+        Self { most, faint: FAINT.min(FAINT_AT_SURFACES * most) }
+    }
+
+    pub fn is_known(&self) -> bool {
+        self.most < f32::INFINITY
+    }
+
+    /// One of `count` rays that share it.
+    pub fn shared(self, count: usize) -> Self {
+        Self { most: self.most / count.max(1) as f32, faint: self.faint / count.max(1) as f32 }
+    }
+}
+
 /// A light whose beam crosses the stretch.
 pub(super) struct Beam<'w> {
     source: &'w WorldLight,
@@ -82,12 +119,56 @@ pub(super) struct Stretch<'a, 'w> {
     pub beams: SmallVec<[Beam<'w>; 4]>,
     /// At most this share of the light sent from where is sampled now reaches the picture, per unit length.
     pub share: Cell<f32>,
+    /// One sample's part of that.
+    pub sample_share: Cell<f32>,
+    /// What a shadow ray means to the picture.
+    pub worth: Worth,
+    /// The most that a light has been worth so far.
+    strongest: Cell<f32>,
+    /// The light that it stands for besides its own, 0 if it is given up; see [`Tracer::goes_on`].
+    pub boost: Cell<f32>,
+    /// Error of the optical depth that makes no difference.
+    pub slack: Cell<f32>,
 }
 
 /// Light of samples that adds less than this to a pixel is not looked for.
 const UNSEEN: f32 = 1e-6;
 
-impl Stretch<'_, '_> {
+/// A shadow ray in which less light is left, of what reaches the picture, goes on by chance: but no light counts
+/// as little that is this share of the most that one place sends, and less at surfaces.
+const FAINT: f32 = 0.03;
+const FAINT_IN_MEDIA: f32 = 0.3;
+const FAINT_AT_SURFACES: f32 = 0.02;
+
+/// Error of a shadow ray's light in the picture, times its optical depth's, that makes no difference.
+const ALIKE: f32 = 0.03;
+
+/// The largest error of an optical depth.
+const MOST_SLACK: f32 = 0.5;
+
+impl<'a, 'w> Stretch<'a, 'w> {
+    pub fn new(
+        ray: &'a Ray,
+        length: f64,
+        media: SmallVec<[u32; 4]>,
+        path: Option<&'a Path>,
+        beams: SmallVec<[Beam<'w>; 4]>,
+    ) -> Self {
+        Self {
+            ray,
+            length,
+            media,
+            path,
+            beams,
+            share: Cell::new(f32::INFINITY),
+            sample_share: Cell::new(f32::INFINITY),
+            worth: Worth::UNKNOWN,
+            strongest: Cell::new(0.0),
+            boost: Cell::new(1.0),
+            slack: Cell::new(0.0),
+        }
+    }
+
     pub fn is_shadow(&self) -> bool {
         self.path.is_none()
     }
@@ -142,8 +223,7 @@ impl<'w> Tracer<'w> {
             return Veil::NONE;
         }
         let beams = self.beams(ray, length, hit);
-        let stretch =
-            Stretch { ray, length, media, path: Some(path), beams, share: Cell::new(f32::INFINITY) };
+        let stretch = Stretch::new(ray, length, media, Some(path), beams);
         let plan = self.plan_of(&stretch);
         let (glow, depth) = sampling::sampled(self, &stretch, &plan);
         let factor = exp(-depth);
@@ -168,10 +248,11 @@ impl<'w> Tracer<'w> {
         if let Some(left) = self.shared_dimming.recall(&media) {
             return left;
         }
-        let (beams, share) = (SmallVec::new(), Cell::new(f32::INFINITY));
-        let stretch = Stretch { ray, length, media, path: None, beams, share };
+        let mut stretch = Stretch::new(ray, length, media, None, SmallVec::new());
+        stretch.worth = self.shadow_worth;
         let plan = self.plan_of(&stretch);
-        let left = exp(-sampling::sampled(self, &stretch, &plan).1);
+        let depth = sampling::sampled(self, &stretch, &plan).1;
+        let left = exp(-depth) * stretch.boost.get();
         self.shared_dimming.keep(stretch.media, left);
         left
     }
@@ -217,7 +298,7 @@ impl<'w> Tracer<'w> {
         let mut local = Local { glow: Rgb::ZERO, extinction: Rgb::ZERO };
         let mut scattering = Rgb::ZERO;
         for &m in &stretch.media {
-            let density = self.density(m, p);
+            let density = self.density(stretch, m, p);
             let medium = &self.media[m as usize];
             local.glow += medium.media.emission * density;
             local.extinction += medium.extinction() * density;
@@ -235,7 +316,28 @@ impl<'w> Tracer<'w> {
         local
     }
 
-    fn density(&self, m: u32, p: Vec3) -> Rgb {
+    /// Whether a shadow ray goes on behind optical depth `depth`. Where little light is left of what reaches the
+    /// picture, chance decides, and the rays that go on stand for those that do not.
+    ///
+    /// Reference: J. Vorba, J. Krivanek, "Adjoint-Driven Russian Roulette and Splitting in Light Transport
+    /// Simulation", ACM Transactions on Graphics 35, 2016.
+    pub(super) fn goes_on(&mut self, stretch: &Stretch, depth: Rgb) -> bool {
+        let Worth { most, faint } = stretch.worth;
+        if !stretch.worth.is_known() {
+            return true;
+        }
+        let boost = stretch.boost.get();
+        let left = most * boost * exp(-depth).max_element();
+        stretch.slack.set((ALIKE / left).min(MOST_SLACK));
+        if left < faint {
+            let stays = self.random.draw() as f32 * faint < left;
+            stretch.boost.set(if stays { boost * faint / left } else { 0.0 });
+            return stays;
+        }
+        true
+    }
+
+    fn density(&self, stretch: &Stretch, m: u32, p: Vec3) -> Rgb {
         let medium = &self.media[m as usize];
         if let Some(uniform) = medium.uniform {
             return uniform;
@@ -244,15 +346,25 @@ impl<'w> Tracer<'w> {
         if place == p {
             return density;
         }
-        let density = self.density_at(medium, medium.world_to_medium.transform_point3(p));
-        medium.last.set((p, density));
+        let depth = medium.extinction().max_element() * stretch.length as f32 * medium.largest;
+        let tolerance = if depth > 0.0 { stretch.slack.get() / depth } else { 0.0 };
+        let density = self.density_at(medium, medium.world_to_medium.transform_point3(p), tolerance);
+        if tolerance == 0.0 {
+            medium.last.set((p, density));
+        }
         density
     }
 
-    fn density_at(&self, medium: &Medium, p: Vec3) -> Rgb {
+    /// The product of all densities; of each, errors up to `tolerance` times its brightest make no difference.
+    fn density_at(&self, medium: &Medium, p: Vec3, tolerance: f32) -> Rgb {
         let mut product = Rgb::ONE;
-        for density in &medium.media.densities {
-            product *= density.color(p, &self.context).map_or(Rgb::ZERO, |c| c.rgb);
+        for (i, density) in medium.media.densities.iter().enumerate() {
+            let tolerance = tolerance * medium.brightest.get(i).unwrap_or(&0.0);
+            let calm = medium.calmed[i].as_ref().filter(|_| tolerance > 0.0);
+            let color = calm
+                .and_then(|calm| density.calm_color(calm, p, &self.context, tolerance))
+                .or_else(|| density.color_within(p, &self.context, tolerance));
+            product *= color.map_or(Rgb::ZERO, |c| c.rgb);
             if product == Rgb::ZERO {
                 break;
             }
@@ -270,15 +382,34 @@ impl<'w> Tracer<'w> {
             if (scattering * arrival.color * phase * stretch.share.get()).abs().max_element() < UNSEEN {
                 continue;
             }
+            let most = (scattering * arrival.color * phase * stretch.share.get()).abs().max_element();
+            let Some(boost) = self.picks(stretch, most * stretch.sample_share.get()) else { continue };
             self.scatters = true;
             let color =
                 self.shadowed(&Departure::free(p), &path.inside, beam.source, &arrival, RayClass::Image);
+            self.shadow_worth = Worth::UNKNOWN;
             self.scatters = false;
             if !is_dark(color) {
-                sum += phase * color;
+                sum += boost * phase * color;
             }
         }
         sum
+    }
+
+    /// Whether a light is looked for that adds no more than `worth` to the picture; where it is little, chance
+    /// decides, and the light found stands for so many.
+    fn picks(&mut self, stretch: &Stretch, worth: f32) -> Option<f32> {
+        if !self.needs.clouds || self.settings.overrides.reference || !worth.is_finite() {
+            return Some(1.0);
+        }
+        let strongest = stretch.strongest.get().max(worth);
+        stretch.strongest.set(strongest);
+        let faint = FAINT.min(FAINT_IN_MEDIA * strongest);
+        self.shadow_worth = Worth { most: worth.max(faint), faint };
+        if worth >= faint {
+            return Some(1.0);
+        }
+        (self.random.draw() as f32 * faint < worth).then(|| faint / worth)
     }
 
     /// The mean phase factor of the media; `cosine` is 1 when looking towards the light.

@@ -103,7 +103,7 @@ pub(super) fn sampled(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan) -> (R
     let mut intervals = intervals(stretch, plan);
     let mut front = Rgb::ZERO;
     for interval in &mut intervals {
-        if is_opaque(front) {
+        if is_opaque(front) || !tracer.goes_on(stretch, front) {
             interval.samples = 1;
             continue;
         }
@@ -169,8 +169,8 @@ fn push_equal(out: &mut Intervals, from: f64, to: f64, lit: bool, n: u32) {
 
 /// Methods 1 and 2: the samples that every interval gets.
 fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval, front: Rgb) {
-    stretch.aim(front, interval.length);
     let n = plan.samples.0;
+    stretch.aim(front, interval.length, n);
     for j in 0..n {
         let random = tracer.random.draw();
         let d = if plan.method == 1 {
@@ -188,8 +188,9 @@ fn is_opaque(depth: Rgb) -> bool {
 }
 
 impl Stretch<'_, '_> {
-    /// Sampling goes on behind optical depth `front`, in an interval of `length`.
-    fn aim(&self, front: Rgb, length: f64) {
+    /// Sampling goes on behind optical depth `front`, in an interval of `length` with so many samples.
+    fn aim(&self, front: Rgb, length: f64, samples: u32) {
+        self.sample_share.set(1.0 / samples as f32);
         if let Some(path) = self.path {
             self.share.set(path.weight * exp(-front).max_element() * length as f32);
         }
@@ -223,14 +224,14 @@ fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut 
     let step = 1.0 / f64::from(n + 1);
     let probe = Probe { stretch, plan, interval: *interval };
     let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
-    stretch.aim(front, interval.length);
+    stretch.aim(front, interval.length, 2 * n);
     let mut before = probe.at(tracer, 0.0, step);
     for j in 1..=n {
         let reached = front + depth / n as f32;
-        if is_opaque(reached) {
+        if is_opaque(reached) || (j > 1 && !tracer.goes_on(stretch, reached)) {
             break;
         }
-        stretch.aim(reached, interval.length);
+        stretch.aim(reached, interval.length, 2 * n);
         let (a, b) = (f64::from(j - 1) * step, f64::from(j) * step);
         let after = probe.at(tracer, b, step);
         let mean = probe.between(tracer, (a, before), (b, after), plan.level as i32 - 1);

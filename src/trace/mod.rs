@@ -7,6 +7,7 @@ mod highlight;
 mod iridescence;
 mod layers;
 mod light_choice;
+mod light_row;
 mod media;
 mod media_sampling;
 mod path;

@@ -1,6 +1,7 @@
 //! How much of a light reaches a point: surfaces on the way filter it, opaque ones stop it.
 
 use super::layers::{self, Placed};
+use super::media::Worth;
 use super::path::{Departure, Interiors, Path, copied};
 use super::photon::Kinds;
 use super::refract;
@@ -55,7 +56,8 @@ impl Tracer<'_> {
         if self.settings.quality < 4 || (light.shadowless && source.projected_through.is_none()) {
             return arrival.color;
         }
-        match &light.area {
+        let worth = self.shadow_worth;
+        let color = match &light.area {
             Some(area) if self.uses_area(class) => {
                 self.area_shadowed(departure, inside, source, area, arrival, class)
             }
@@ -63,7 +65,9 @@ impl Tracer<'_> {
                 let ray = departure.ray(arrival.direction);
                 self.transmitted(&ray, arrival.distance, inside, source, arrival.color)
             }
-        }
+        };
+        self.shadow_worth = worth;
+        color
     }
 
     /// What is left of `color` along `ray`, whose lamp is `distance` away.
@@ -107,7 +111,11 @@ impl Tracer<'_> {
         let last = &mut self.blockers[source.number as usize];
         let met =
             if end > 0.0 { obstacle(self.world, ray, Range::new(0.0, end), last) } else { Obstacle::None };
-        match met {
+        let worth = self.shadow_worth;
+        if self.needs.clouds && !worth.is_known() && !self.settings.overrides.reference {
+            self.shadow_worth = Worth::at_surface(color);
+        }
+        let left = match met {
             Obstacle::Opaque => Rgb::ZERO,
             Obstacle::None if dims => color * self.dimmed(ray, distance, inside),
             Obstacle::None => color,
@@ -115,7 +123,9 @@ impl Tracer<'_> {
                 let stretch = Stretch { ray: *ray, distance, end };
                 self.filtered(stretch, hit, inside, (dims, light), color)
             }
-        }
+        };
+        self.shadow_worth = worth;
+        left
     }
 
     /// Whether air dims the light.

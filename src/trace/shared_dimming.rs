@@ -8,7 +8,7 @@ use crate::color::Rgb;
 use smallvec::SmallVec;
 
 /// One lamp of so many looks into the media.
-const SHARE: u32 = 4;
+pub(super) const SHARE: u32 = 4;
 
 /// Stretches of one shadow ray, and what the media on them left of the light.
 #[derive(Debug, Default)]

@@ -1,4 +1,6 @@
-use super::media::Medium;
+use super::light_choice::FEW;
+use super::light_row::LightRow;
+use super::media::{Medium, Worth};
 use super::path::{Interiors, Path, Radiance, Veil, copied};
 use super::photon::{Nearby, Photons};
 use super::radiosity::{Lighting, Radiosity};
@@ -65,6 +67,10 @@ pub struct Tracer<'w> {
     pub(super) blockers: Vec<Blocker>,
     /// Whether light is looked for from a place in media.
     pub(super) scatters: bool,
+    /// How much light a shadow ray may bring to the picture, if that is known.
+    pub(super) shadow_worth: Worth,
+    /// All global lights at once, where a few speak for all.
+    pub(super) light_row: Option<LightRow>,
     /// Lamps of the area light being sampled.
     pub(super) lamps: Vec<Rgb>,
     /// What stands between it and the place that it lights.
@@ -136,6 +142,8 @@ impl<'w> Tracer<'w> {
             lit: Vec::new(),
             blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
             scatters: false,
+            shadow_worth: Worth::UNKNOWN,
+            light_row: None,
             lamps: Vec::new(),
             between: Between::default(),
             shared_dimming: SharedDimming::default(),
@@ -147,6 +155,9 @@ impl<'w> Tracer<'w> {
         }
         tracer.radiosity =
             Lighting::unknown(world, settings).map(|l| Radiosity::new(world, settings, l, false));
+        if tracer.radiosity.is_some() && world.lights.len() > FEW {
+            tracer.light_row = LightRow::new(world.lights.iter().map(|l| &l.light));
+        }
         tracer
     }
 

@@ -1,6 +1,9 @@
 use super::{NoiseGenerator, octaves, vector_octaves};
 use crate::math::Vec3;
 
+/// Root of the mean square of a component of vector noise.
+const NOISE_DEVIATION: f64 = 0.3;
+
 /// The largest number of octaves.
 const MOST_OCTAVES: usize = 10;
 
@@ -46,6 +49,12 @@ impl Turbulence {
         sum
     }
 
+    /// How far points are mostly displaced: the root of the mean square.
+    pub fn shift(&self) -> f64 {
+        let weights = (0..self.count()).map(|k| self.omega.powi(k as i32).powi(2)).sum::<f64>();
+        self.amount.length() * NOISE_DEVIATION * weights.sqrt()
+    }
+
     /// The sum of scalar noise, `amount` left aside.
     pub fn scalar(&self, p: Vec3, generator: NoiseGenerator) -> f64 {
         let original = generator == NoiseGenerator::Original;
@@ -64,5 +73,19 @@ impl Turbulence {
 
     fn count(&self) -> usize {
         (self.octaves as usize).clamp(1, MOST_OCTAVES)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_mostly_displaced_as_far_as_said() {
+        let turbulence = Turbulence { amount: Vec3::new(1.0, 2.0, 0.5), ..Turbulence::default() };
+        let places = (0..3000).map(|i| Vec3::new(0.37, 0.91, -0.53) * f64::from(i));
+        let square: f64 = places.map(|p| (turbulence.displace(p) - p).length_squared()).sum();
+        let shift = (square / 3000.0).sqrt();
+        assert!((shift - turbulence.shift()).abs() < 0.2 * shift, "{shift} {}", turbulence.shift());
     }
 }

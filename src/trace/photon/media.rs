@@ -8,7 +8,6 @@ use super::Stream;
 use crate::color::Rgb;
 use crate::scene::PhotonSettings;
 use smallvec::SmallVec;
-use std::cell::Cell;
 
 /// Photons left along a stretch.
 pub(super) struct Deposits {
@@ -32,8 +31,7 @@ impl Tracer<'_> {
             return deposits;
         }
         let beams = self.beams(site.ray, site.hit.t, Some(site.hit));
-        let stretch =
-            Stretch { ray: site.ray, length: site.hit.t, media, path: None, beams, share: Cell::new(0.0) };
+        let stretch = Stretch::new(site.ray, site.hit.t, media, None, beams);
         let plan = self.plan_of(&stretch);
         let mut depth = Rgb::ZERO;
         for interval in intervals(&stretch, &plan) {

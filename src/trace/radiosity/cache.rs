@@ -8,7 +8,7 @@
 
 use crate::color::Rgb;
 use crate::math::Vec3;
-use glam::Vec4;
+use glam::{Vec3A, Vec4};
 
 /// Light gathered at one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,19 +98,6 @@ impl Cell {
         (shifted - self.center).abs().cmplt(Vec3::splat(self.edge)).all()
     }
 
-    /// A bit for each octant whose cell, enlarged, holds the point.
-    fn octants_around(&self, shifted: Vec3) -> u8 {
-        let v = shifted - self.center;
-        let (near, far) = (0.25 * self.edge, 0.75 * self.edge);
-        let low = (v.cmplt(Vec3::splat(near)) & v.cmpgt(Vec3::splat(-far))).bitmask() as usize;
-        let high = (v.cmpgt(Vec3::splat(-near)) & v.cmplt(Vec3::splat(far))).bitmask() as usize;
-        const OF_X: [u8; 4] = [0, 0x0f, 0xf0, 0xff];
-        const OF_Y: [u8; 4] = [0, 0x33, 0xcc, 0xff];
-        const OF_Z: [u8; 4] = [0, 0x55, 0xaa, 0xff];
-        let pick = |axis: usize| (low >> axis & 1) | ((high >> axis & 1) << 1);
-        OF_X[pick(0)] & OF_Y[pick(1)] & OF_Z[pick(2)]
-    }
-
     /// The cell of a sample at `p` that reaches `reach` around.
     fn of(p: Vec3, reach: f64) -> Self {
         let mut level = f64::from((2.0 * reach) as f32).log2().floor().max(-1000.0) as i32;
@@ -140,8 +127,8 @@ impl Heads {
     const NONE: Self =
         Self { points: [Vec4::INFINITY; 3], normals: [Vec4::ZERO; 3], radii: Vec4::ZERO, places: [NONE; 4] };
 
-    fn set(&mut self, lane: usize, from_center: Vec3, sample: &Sample, place: u32) {
-        let (point, normal) = (from_center.as_vec3(), sample.normal.as_vec3());
+    fn set(&mut self, lane: usize, point: Vec3A, sample: &Sample, place: u32) {
+        let normal = sample.normal.as_vec3();
         for axis in 0..3 {
             self.points[axis][lane] = point[axis];
             self.normals[axis][lane] = normal[axis];
@@ -152,7 +139,7 @@ impl Heads {
 
     /// A bit for each sample whose radius reaches `p` and whose normal is near enough.
     #[inline]
-    fn near(&self, p: glam::Vec3, slack: f32, search: &Search) -> u32 {
+    fn near(&self, p: Vec3A, slack: f32, search: &Search) -> u32 {
         let [x, y, z] = self.points;
         let (x, y, z) = (x - p.x, y - p.y, z - p.z);
         let reach = self.radii * search.bound + slack;
@@ -166,6 +153,7 @@ impl Heads {
 #[derive(Clone, Debug)]
 struct Node {
     cell: Cell,
+    edge: f32,
     children: [u32; 8],
     /// A bit for each child that there is.
     present: u8,
@@ -176,12 +164,19 @@ struct Node {
 
 impl Node {
     fn new(cell: Cell) -> Self {
-        Self { cell, children: [NONE; 8], present: 0, samples: Vec::new(), count: 0 }
+        let edge = cell.edge as f32;
+        Self { cell, edge, children: [NONE; 8], present: 0, samples: Vec::new(), count: 0 }
     }
 
     fn adopt(&mut self, octant: usize, child: u32) {
         self.children[octant] = child;
         self.present |= 1 << octant;
+    }
+
+    /// A point counted from the corner, as one counted from the cell's centre.
+    #[inline]
+    fn from_center(&self, shifted: Vec3) -> Vec3A {
+        (shifted - self.cell.center).as_vec3a()
     }
 
     fn add(&mut self, sample: &Sample, place: u32) {
@@ -190,7 +185,7 @@ impl Node {
             self.samples.push(Heads::NONE);
         }
         self.count += 1;
-        let from_center = sample.point + CORNER - self.cell.center;
+        let from_center = self.from_center(sample.point + CORNER);
         if let Some(heads) = self.samples.last_mut() {
             heads.set(lane, from_center, sample, place);
         }
@@ -247,33 +242,29 @@ impl Cache {
         let search = Search { shifted: p + CORNER, bound, normal, cosine };
         let inside = root.cell.holds(search.shifted);
         if inside {
-            self.visit_children(tree, root, &search, &mut visit);
-        }
-        if inside || Some(root.cell) == self.root {
-            self.visit_samples(root, &search, &mut visit);
+            self.visit_node(tree, root, &search, &mut visit);
+        } else if Some(root.cell) == self.root {
+            self.visit_samples(root, root.from_center(search.shifted), &search, &mut visit);
         }
     }
 
-    /// The samples below a node that surrounds the point.
-    fn visit_children(&self, tree: &Tree, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
-        let mut left = node.present & node.cell.octants_around(search.shifted);
-        while left != 0 {
-            let child = &tree.nodes[node.children[left.trailing_zeros() as usize] as usize];
-            left &= left - 1;
-            if child.present != 0 {
-                self.visit_children(tree, child, search, visit);
+    /// The samples of a node that surrounds the point, those below it first.
+    fn visit_node(&self, tree: &Tree, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
+        let p = node.from_center(search.shifted);
+        if node.present != 0 {
+            let mut left = node.present & octants_around(p, node.edge);
+            while left != 0 {
+                let child = &tree.nodes[node.children[left.trailing_zeros() as usize] as usize];
+                left &= left - 1;
+                self.visit_node(tree, child, search, visit);
             }
-            self.visit_samples(child, search, visit);
         }
+        self.visit_samples(node, p, search, visit);
     }
 
     #[inline]
-    fn visit_samples(&self, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
-        if node.count == 0 {
-            return;
-        }
-        let from_center = search.shifted - node.cell.center;
-        let (p, slack) = (from_center.as_vec3(), (ROUNDING * node.cell.edge) as f32);
+    fn visit_samples(&self, node: &Node, p: Vec3A, search: &Search, visit: &mut impl FnMut(&Sample)) {
+        let slack = ROUNDING as f32 * node.edge;
         for heads in node.samples.iter().rev() {
             let mut near = heads.near(p, slack, search);
             while near != 0 {
@@ -284,6 +275,34 @@ impl Cache {
         }
     }
 }
+
+/// A bit for each octant of a cell of `edge` whose own cell, enlarged, holds the point `v` from the centre.
+#[inline]
+fn octants_around(v: Vec3A, edge: f32) -> u8 {
+    let (near, far) = (Vec3A::splat(0.25 * edge), Vec3A::splat(0.75 * edge));
+    let low = (v.cmplt(near) & v.cmpgt(-far)).bitmask() as usize;
+    let high = (v.cmpgt(-near) & v.cmplt(far)).bitmask() as usize;
+    OCTANTS[(low | high << 3) & 63]
+}
+
+/// Octants by the sides that a point is near to: three bits for the low sides of x, y, z, three for the high ones.
+const OCTANTS: [u8; 64] = {
+    const LOW: [u8; 3] = [0x0f, 0x33, 0x55];
+    let mut table = [0; 64];
+    let mut sides = 0;
+    while sides < 64 {
+        let (mut octants, mut axis) = (0xff, 0);
+        while axis < 3 {
+            let low = if sides >> axis & 1 != 0 { LOW[axis] } else { 0 };
+            let high = if sides >> (axis + 3) & 1 != 0 { !LOW[axis] } else { 0 };
+            octants &= low | high;
+            axis += 1;
+        }
+        table[sides] = octants;
+        sides += 1;
+    }
+    table
+};
 
 /// Where samples are looked for.
 struct Search {
