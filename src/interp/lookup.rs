@@ -155,12 +155,11 @@ impl Parser {
 }
 
 /// Include files of POV-Ray that are design and not fact; nobody else carries them.
-const DESIGNS: [&str; 30] = [
+const DESIGNS: [&str; 28] = [
     "chars",
     "glass",
     "glass_old",
     "golds",
-    "ior",
     "logo",
     "makegrass",
     "meshmaker",
@@ -177,7 +176,6 @@ const DESIGNS: [&str; 30] = [
     "stones",
     "stones1",
     "stones2",
-    "sunpos",
     "textures",
     "woodmaps",
     "woods",

@@ -161,8 +161,9 @@ impl Symbols {
         }
     }
 
-    /// The place of a variable or element, to be assigned to. An element that is not set is `None` inside.
-    pub fn place(&mut self, reference: &Reference) -> Option<Place<'_>> {
+    /// The place of a variable or element, to be assigned a value of that many arrays within each other. An element
+    /// that is not set is `None` inside.
+    pub fn place(&mut self, reference: &Reference, arrays: u32) -> Option<Place<'_>> {
         let slot = self.slots.get_mut(reference.symbol.0 as usize)?;
         let entry = slot.iter_mut().rev().find(|e| e.scope == reference.scope)?;
         let Some((last, outer)) = reference.path.split_last() else {
@@ -170,12 +171,17 @@ impl Symbols {
         };
         let Binding::Value(first) = &mut entry.binding else { return None };
         let mut value = first;
+        let mut depth = arrays + reference.path.len() as u32;
         for &index in outer {
             let Value::Array(array) = value else { return None };
-            value = Arc::make_mut(array).elements.get_mut(index)?.as_mut()?;
+            let array = Arc::make_mut(array);
+            array.depth = array.depth.max(depth);
+            depth -= 1;
+            value = array.elements.get_mut(index)?.as_mut()?;
         }
         let Value::Array(array) = value else { return None };
         let array = Arc::make_mut(array);
+        array.depth = array.depth.max(depth);
         Some(Place::Element { kind: &mut array.kind, element: array.elements.get_mut(*last)? })
     }
 

@@ -44,9 +44,19 @@ pub struct Array {
     pub elements: Vec<Option<Value>>,
     /// What every element must be, from the first one set.
     pub kind: Option<&'static str>,
+    /// At most so many arrays stand within each other here, this one counted.
+    pub depth: u32,
 }
 
 impl Value {
+    /// How many arrays stand within each other; 0 for what is no array.
+    pub fn array_depth(&self) -> u32 {
+        match self {
+            Value::Array(array) => array.depth,
+            _ => 0,
+        }
+    }
+
     /// What the value is, in the words of a message.
     pub fn kind(&self) -> &'static str {
         match self {

@@ -21,6 +21,7 @@ const FILES: &[(&str, &str)] = &[
     ("debug.inc", include_str!("debug.inc")),
     ("finish.inc", include_str!("finish.inc")),
     ("functions.inc", include_str!("functions.inc")),
+    ("ior.inc", include_str!("ior.inc")),
     ("math.inc", include_str!("math.inc")),
     ("rand.inc", include_str!("rand.inc")),
     ("shapes.inc", include_str!("shapes.inc")),
@@ -28,6 +29,7 @@ const FILES: &[(&str, &str)] = &[
     ("shapes_old.inc", include_str!("shapes_old.inc")),
     ("stdinc.inc", include_str!("stdinc.inc")),
     ("strings.inc", include_str!("strings.inc")),
+    ("sunpos.inc", include_str!("sunpos.inc")),
     ("transforms.inc", include_str!("transforms.inc")),
 ];
 

@@ -9,6 +9,9 @@ use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
 /// Most dimensions of an array.
 const MOST_DIMENSIONS: usize = 5;
 
+/// Most arrays within each other.
+const DEEPEST: usize = 100;
+
 /// An index may be this much too small.
 const SLACK: f64 = 1e-10;
 
@@ -46,7 +49,7 @@ impl Parser {
             ))
         })?;
         self.reserve((count * size_of::<Option<Value>>()) as u64, start.to(self.last))?;
-        let mut array = Array { elements: vec![None; count], kind: None, sizes };
+        let mut array = Array { elements: vec![None; count], kind: None, sizes, depth: 1 };
         if self.peek()?.tok == Tok::Punct(Punct::LeftBrace) {
             let mut at = 0;
             self.initializer(&mut array, 0, &mut at)?;
@@ -78,6 +81,9 @@ impl Parser {
                 format!("this array's elements are of the kind {}, not {found}", kind.unwrap_or(""));
             return Err(Box::new(Diagnostic::error(start.to(self.last), message)));
         }
+        let depth = 1 + value.array_depth();
+        check_array_depth(depth as usize, start.to(self.last))?;
+        array.depth = array.depth.max(depth);
         array.kind = Some(found);
         array.elements[at] = Some(value);
         Ok(())
@@ -138,6 +144,14 @@ impl Parser {
             Ok(flat * size + index)
         })
     }
+}
+
+/// More arrays within each other would not fit the stack.
+pub(super) fn check_array_depth(depth: usize, span: Span) -> Result<()> {
+    if depth <= DEEPEST {
+        return Ok(());
+    }
+    Err(Box::new(Diagnostic::error(span, format!("arrays stand within each other more than {DEEPEST} deep"))))
 }
 
 /// The subscript that a number means; `None` outside `0..size`.

@@ -1,5 +1,6 @@
 //! Assignments: `#declare`, `#local`, `#undef`, and what may stand on their right side.
 
+use super::array::check_array_depth;
 use crate::interp::program::Level;
 use crate::interp::symbols::{Binding, GLOBAL, Place, Reference};
 use crate::interp::{Parser, Result, Value};
@@ -169,7 +170,9 @@ impl Parser {
     }
 
     fn assign(&mut self, reference: &Reference, value: Value, span: Span) -> Result<()> {
-        match self.symbols.place(reference) {
+        let depth = value.array_depth();
+        check_array_depth(depth as usize + reference.path.len(), span)?;
+        match self.symbols.place(reference, depth) {
             Some(Place::Variable(Binding::Value(Value::Function(_)))) => Err(redeclared_function(span)),
             Some(Place::Variable(binding)) => {
                 *binding = Binding::Value(value);
@@ -199,7 +202,7 @@ impl Parser {
             None => false,
             // Of a parameter that stands for a variable only the parameter goes.
             Some(_) if !target.subscripted => self.symbols.remove_innermost(target.symbol),
-            Some(reference) => match self.symbols.place(&reference) {
+            Some(reference) => match self.symbols.place(&reference, 0) {
                 Some(Place::Element { element, .. }) => element.take().is_some(),
                 _ => false,
             },
