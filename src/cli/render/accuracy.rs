@@ -17,6 +17,8 @@ pub struct Accuracy {
     pub max_samples: Option<u64>,
     /// Of every pixel.
     pub min_samples: u32,
+    /// Whether pixels may go without samples: where nothing but the error is asked for.
+    pub sparse: bool,
     pub seed: u32,
 }
 
@@ -46,6 +48,7 @@ impl Accuracy {
             time_limit: args.time_limit,
             max_samples: args.max_samples,
             min_samples: args.min_samples.unwrap_or(1),
+            sparse: args.max_error.is_some() && args.min_samples.is_none(),
             seed: args.seed,
         }))
     }
@@ -57,6 +60,7 @@ impl Accuracy {
             max_samples: self.max_samples,
             deadline: late,
             base: self.min_samples,
+            sparse: self.sparse,
             seed: self.seed,
             ..Adaptive::new(region, light)
         }

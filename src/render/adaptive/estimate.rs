@@ -25,7 +25,7 @@ const SLOPE_TO_VARIANCE: f32 = 1.0 / 12.0;
 /// However steep: this share of the samples' variance is left.
 const LEAST_SHARE: f32 = 0.1;
 /// Neighbours in flat surroundings differ by less, in each channel of light.
-const ALIKE: f32 = 1.0 / 1024.0;
+pub const ALIKE: f32 = 1.0 / 1024.0;
 
 /// Change of light per pixel along x and y, for each channel.
 pub type Slope = [Vec3A; 2];
@@ -62,6 +62,8 @@ struct Seen {
     spread: f32,
     /// Degrees of freedom: one less than samples.
     freedom: f32,
+    /// Whether there is any.
+    sampled: bool,
 }
 
 /// All pixels with their surroundings, kept up to date.
@@ -90,6 +92,11 @@ impl Survey {
         self.changed[i] = true;
     }
 
+    /// Which pixels have got samples since the last look.
+    pub fn changed(&mut self) -> &mut [bool] {
+        &mut self.changed
+    }
+
     /// Looks at what has changed, and gives the expected errors of all pixels. `offset` tells where the only
     /// sample of a pixel lies.
     pub fn look(
@@ -110,11 +117,15 @@ impl Survey {
         let gain = convergence.gain();
         let mut expected = vec![Expected::default(); self.seen.len()];
         let width = self.width.max(1);
+        let stale = near(changed, width);
         let rows = self.around.par_chunks_mut(width).zip(expected.par_chunks_mut(width)).enumerate();
         rows.for_each(|(y, (around, expected))| {
             let samples = &tally.pixels[y * width..][..width];
             for x in 0..width {
-                if view.neighbours(x, y).any(|i| changed[i]) {
+                if samples[x].count == 0 {
+                    continue;
+                }
+                if stale[y * width + x] {
                     around[x] = view.around(x, y);
                 }
                 let plain = around[x].expected(&samples[x], light, &gain);
@@ -144,12 +155,28 @@ impl Seen {
             at: [at.0 as f32, at.1 as f32],
             spread: variance_of_mean(samples, light, 1.0) * freedom,
             freedom,
+            sampled: samples.count > 0,
         }
     }
 
     fn is_like(&self, other: &Seen) -> bool {
         (self.light - other.light).abs().cmplt(Vec3A::splat(ALIKE)).all()
     }
+}
+
+/// Which pixels are marked or have a neighbour that is.
+fn near(marked: &[bool], width: usize) -> Vec<bool> {
+    let mut rows = marked.to_vec();
+    for (row, marked) in rows.chunks_mut(width).zip(marked.chunks(width)) {
+        let n = row.len();
+        row[1..].iter_mut().zip(&marked[..n - 1]).for_each(|(r, m)| *r |= m);
+        row[..n - 1].iter_mut().zip(&marked[1..]).for_each(|(r, m)| *r |= m);
+    }
+    let mut all = rows.clone();
+    let n = all.len();
+    all[width.min(n)..].iter_mut().zip(&rows[..n - width.min(n)]).for_each(|(a, r)| *a |= r);
+    all[..n - width.min(n)].iter_mut().zip(&rows[width.min(n)..]).for_each(|(a, r)| *a |= r);
+    all
 }
 
 /// The variance in light of a mean whose working variance is `gain` times that of a sample.
@@ -233,7 +260,8 @@ impl View<'_> {
     fn surprise(self, x: usize, y: usize) -> Option<f32> {
         let own = y * self.width + x;
         let first = &self.seen[own - self.width - 1];
-        let alike = self.neighbours(x, y).all(|i| i == own || self.seen[i].is_like(first));
+        let alike =
+            self.neighbours(x, y).all(|i| self.seen[i].sampled && (i == own || self.seen[i].is_like(first)));
         let own = &self.seen[own];
         (own.freedom == 0.0 && alike).then(|| own.light.distance_squared(first.light))
     }
@@ -289,6 +317,15 @@ mod tests {
         for (i, e) in expected.iter().enumerate() {
             assert_eq!(e.plain > 0.05, (3..5).contains(&(i % 8)), "{i} {e:?}");
         }
+    }
+
+    #[test]
+    fn neighbours_of_what_is_marked_are_near() {
+        let mut marked = vec![false; 35];
+        marked[2 * 7 + 6] = true;
+        marked[0] = true;
+        let found: Vec<usize> = (0..35).filter(|&i| near(&marked, 7)[i]).collect();
+        assert_eq!(found, [0, 1, 7, 8, 12, 13, 19, 20, 26, 27]);
     }
 
     /// A speck in flat surroundings surprises once; its neighbours are not in flat surroundings.

@@ -2,7 +2,7 @@
 //!
 //! | step | rule |
 //! |------|------|
-//! | base | every pixel gets one sample, or a few |
+//! | base | every pixel gets one sample, or a few; where that may be too many, every fourth (`gaps`) |
 //! | survey | what error is each pixel's mean expected to have (`estimate`, `calibration`)? |
 //! | plan | how far do samples have to be doubled, and where, to reach the target or to spend half as much again (`plan`)? |
 //! | round | every pixel of the plan is doubled once; so are a few others, to hold expectations to account |
@@ -19,6 +19,7 @@ mod calibration;
 mod coarse;
 mod convergence;
 mod estimate;
+mod gaps;
 mod locality;
 mod order;
 mod plan;
@@ -47,6 +48,9 @@ pub struct Adaptive {
     pub deadline: Option<f64>,
     /// Samples that every pixel gets; rounded up to a power of two.
     pub base: u32,
+    /// Whether pixels may go without any where those around them tell enough (`gaps`): then a base of 1 is for one
+    /// pixel in four only.
+    pub sparse: bool,
     /// Pictures with different seeds share no random numbers.
     pub seed: u32,
 }
@@ -63,8 +67,13 @@ impl Adaptive {
             max_samples: None,
             deadline: None,
             base: 1,
+            sparse: false,
             seed: 0,
         }
+    }
+
+    fn has_gaps(&self) -> bool {
+        self.sparse && self.base <= 1 && !self.is_limited()
     }
 
     /// Whether it may end before every pixel has a sample.

@@ -13,8 +13,20 @@ pub fn tile(width: usize, pixel: usize) -> usize {
 
 /// All pixels, square by square.
 pub fn tiled(width: usize, height: usize) -> Vec<u32> {
-    let mut pixels: Vec<u32> = (0..(width * height) as u32).collect();
-    pixels.sort_by_key(|&p| tile(width, p as usize));
+    spaced(width, height, 1)
+}
+
+/// Every so many pixels along both sides one, square by square. Squares hold a whole number of them.
+pub fn spaced(width: usize, height: usize, spacing: usize) -> Vec<u32> {
+    let mut pixels = Vec::with_capacity(width.div_ceil(spacing) * height.div_ceil(spacing));
+    for top in (0..height).step_by(TILE) {
+        for left in (0..width).step_by(TILE) {
+            for y in (top..(top + TILE).min(height)).step_by(spacing) {
+                let row = (left..(left + TILE).min(width)).step_by(spacing);
+                pixels.extend(row.map(|x| (y * width + x) as u32));
+            }
+        }
+    }
     pixels
 }
 

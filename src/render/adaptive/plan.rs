@@ -8,6 +8,7 @@
 use super::calibration::{BINS, Calibration, bin};
 use super::convergence::{Convergence, LEVELS, level};
 use super::estimate::Expected;
+use super::gaps::Gaps;
 use super::order::tile;
 use super::sequence::mix;
 use super::tally::{Samples, Tally};
@@ -20,6 +21,12 @@ const LEAST_STEP: f64 = 0.03;
 const AIM: f64 = 0.97;
 /// The share of the samples that there are which goes to pixels picked by chance, in each round.
 const AUDIT_SHARE: f64 = 0.03;
+/// The same while there are gaps,
+const GAP_AUDIT_SHARE: f64 = 0.1;
+/// but so many at least.
+const GAP_AUDIT_LEAST: f64 = 1000.0;
+/// The first sample of a gap takes at least this share of its error away.
+const LEAST_FIRST_GAIN: f32 = 0.3;
 /// A class is audited until so many members are measured, whatever they showed,
 const AUDIT_LEAST: f64 = 200.0;
 /// and until the uncertainty of its error is below this share of the picture's.
@@ -43,7 +50,8 @@ impl Task {
     }
 
     fn doubling(pixel: usize, samples: &Samples, e: &Expected) -> Self {
-        Self { pixel: pixel as u32, to: samples.count * 2, plain: e.plain, local: e.local }
+        let to = (samples.count * 2).max(1);
+        Self { pixel: pixel as u32, to, plain: e.plain, local: e.local }
     }
 }
 
@@ -52,6 +60,7 @@ pub struct Planner<'a> {
     pub tally: &'a Tally,
     pub expected: &'a [Expected],
     pub calibration: &'a Calibration,
+    pub gaps: &'a Gaps,
     pub convergence: &'a Convergence,
     /// Samples of the whole picture so far, and its expected squared error.
     pub samples: u64,
@@ -64,14 +73,14 @@ impl Planner<'_> {
     pub fn tasks(&self, target: Option<f64>) -> Vec<Task> {
         let mut ladder = Ladder::new();
         for (e, samples) in self.pixels() {
-            ladder.add(e.variance, samples, self.convergence);
+            ladder.add(e, samples, self.convergence);
         }
         ladder.climb(self.convergence);
         let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t));
         let mut chosen: Vec<(usize, usize, Task)> = Vec::new();
         let mut rest: Vec<usize> = Vec::new();
         for (i, (e, samples)) in self.pixels().enumerate() {
-            let rung = Ladder::rung(gain(e.variance, samples.count, samples, self.convergence));
+            let rung = Ladder::rung(gain(e, samples, self.convergence));
             if rung <= lowest && samples.count < MAX_COUNT {
                 let place = tile(self.tally.width(), i);
                 chosen.push((rung, place, Task::doubling(i, samples, e)));
@@ -91,14 +100,18 @@ impl Planner<'_> {
         self.expected.iter().zip(&self.tally.pixels)
     }
 
-    /// The class that pixel `i` belongs to.
+    /// The class that pixel `i` belongs to; gaps' stand behind all levels.
     fn class(&self, i: usize) -> (usize, usize) {
-        (level(self.tally.pixels[i].count), bin(self.expected[i].local))
+        let e = &self.expected[i];
+        match self.tally.pixels[i].count {
+            0 => (LEVELS, bin(e.plain)),
+            count => (level(count), bin(e.local)),
+        }
     }
 
     /// Adds pixels picked by chance from classes about which too little is known.
     fn audit(&self, rest: &[usize], tasks: &mut Vec<Task>) {
-        let mut members = [[0f64; BINS]; LEVELS];
+        let mut members = [[0f64; BINS]; LEVELS + 1];
         for &i in rest {
             let (level, bin) = self.class(i);
             members[level][bin] += 1.0;
@@ -115,31 +128,45 @@ impl Planner<'_> {
     }
 
     /// How likely a member of each class is picked.
-    fn chances(&self, members: &[[f64; BINS]; LEVELS]) -> [[f64; BINS]; LEVELS] {
-        let mut chances = [[0f64; BINS]; LEVELS];
+    fn chances(&self, members: &[[f64; BINS]; LEVELS + 1]) -> [[f64; BINS]; LEVELS + 1] {
+        let mut chances = [[0f64; BINS]; LEVELS + 1];
         let mut cost = 0.0;
-        for l in 0..LEVELS {
+        for l in 0..=LEVELS {
             for b in 0..BINS {
                 let n = members[l][b];
                 if n == 0.0 {
                     continue;
                 }
-                let class = self.calibration.class(l, b);
+                let is_gap = l == LEVELS;
+                let class = if is_gap { self.gaps.class(b) } else { self.calibration.class(l, b) };
                 let uncertain = n * class.deviation() / (AUDIT_PRECISION * self.total.max(f64::MIN_POSITIVE));
                 let wanted = uncertain.powi(2).max(AUDIT_LEAST.min(n / 8.0)) - class.count();
                 chances[l][b] = (wanted / n).clamp(0.0, 0.5);
-                cost += chances[l][b] * n * 2f64.powi(l as i32);
+                cost += chances[l][b] * n * if is_gap { 1.0 } else { 2f64.powi(l as i32) };
             }
         }
-        let scale = (AUDIT_SHARE * self.samples as f64 / cost.max(1.0)).min(1.0);
+        let samples = self.samples as f64;
+        let allowed = match members[LEVELS].iter().any(|&n| n > 0.0) {
+            true => (GAP_AUDIT_SHARE * samples).max(GAP_AUDIT_LEAST),
+            false => AUDIT_SHARE * samples,
+        };
+        let scale = (allowed / cost.max(1.0)).min(1.0);
         chances.map(|row| row.map(|c| c * scale))
     }
 }
 
-/// Error that doubling takes away, per ray.
-fn gain(variance: f32, count: u32, samples: &Samples, convergence: &Convergence) -> f32 {
+/// Error that doubling takes away, per ray; of a gap, that which its first sample takes away.
+fn gain(e: &Expected, samples: &Samples, convergence: &Convergence) -> f32 {
     let rays_per_sample = (samples.rays / samples.count.max(1) as f32).max(1.0);
-    variance * (1.0 - convergence.ratio[level(count)]) / (count as f32 * rays_per_sample)
+    match samples.count {
+        0 => first_gain(e) / rays_per_sample,
+        count => e.variance * (1.0 - convergence.ratio[level(count)]) / (count as f32 * rays_per_sample),
+    }
+}
+
+/// Error that the first sample of a gap takes away.
+fn first_gain(e: &Expected) -> f32 {
+    (e.variance - e.local).max(LEAST_FIRST_GAIN * e.variance)
 }
 
 /// Doublings of all pixels by what they gain: rungs a quarter of an octave apart, the best first.
@@ -171,8 +198,17 @@ impl Ladder {
     }
 
     /// The first doubling of one pixel.
-    fn add(&mut self, variance: f32, samples: &Samples, convergence: &Convergence) {
-        let rung = Self::rung(gain(variance, samples.count, samples, convergence));
+    fn add(&mut self, e: &Expected, samples: &Samples, convergence: &Convergence) {
+        let mut rung = Self::rung(gain(e, samples, convergence));
+        let mut variance = e.variance;
+        if samples.count == 0 {
+            let first = first_gain(e);
+            self.samples[rung] += 1.0;
+            self.variance[rung] += f64::from(first);
+            variance -= first;
+            let next = Expected { variance, ..*e };
+            rung = rung.max(Self::rung(gain(&next, &Samples { count: 1, ..*samples }, convergence)));
+        }
         let entry = &mut self.first[level(samples.count) * Self::RUNGS + rung];
         entry.0 += 1.0;
         entry.1 += f64::from(variance);
@@ -227,13 +263,17 @@ mod tests {
         Samples { count, rays: count as f32, ..Samples::default() }
     }
 
+    fn of(variance: f32) -> Expected {
+        Expected { plain: variance, local: variance, variance }
+    }
+
     /// With the preset convergence a doubling takes 71 % of the error of one sample away and 69 % of what is
     /// left: 0.71 for one sample, 0.29 * 0.69 / 2 = 0.1 a sample for the next two.
     #[test]
     fn the_ladder_holds_all_doublings_of_a_pixel() {
         let mut ladder = Ladder::new();
         let convergence = Convergence::default();
-        ladder.add(1.0, &samples(1), &convergence);
+        ladder.add(&of(1.0), &samples(1), &convergence);
         ladder.climb(&convergence);
         let first = Ladder::rung(0.71);
         let second = Ladder::rung(0.29 * 0.69 / 2.0);
@@ -259,7 +299,7 @@ mod tests {
     fn rays_are_what_samples_cost() {
         let convergence = Convergence::default();
         let dear = Samples { rays: 8.0, ..samples(4) };
-        let cheap = gain(0.1, 4, &samples(4), &convergence);
-        assert!((gain(0.1, 4, &dear, &convergence) * 2.0 - cheap).abs() < 1e-7);
+        let cheap = gain(&of(0.1), &samples(4), &convergence);
+        assert!((gain(&of(0.1), &dear, &convergence) * 2.0 - cheap).abs() < 1e-7);
     }
 }

@@ -4,6 +4,7 @@ use super::calibration::{Calibration, Measured};
 use super::coarse::stand_ins;
 use super::convergence::{Convergence, level};
 use super::estimate::{Expected, Slope, Survey};
+use super::gaps::{Gaps, SPACING, mean_pixel};
 use super::locality::{Locality, Shown};
 use super::order;
 use super::plan::{Planner, Task};
@@ -38,6 +39,7 @@ pub struct State<'a, S> {
     survey: Survey,
     calibration: Calibration,
     convergence: Convergence,
+    gaps: Gaps,
     samples: u64,
     rounds: u32,
     /// Seconds that the last survey and plan took.
@@ -73,6 +75,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             samplers,
             calibration: Calibration::default(),
             convergence: Convergence::default(),
+            gaps: Gaps::default(),
             samples: 0,
             rounds: 0,
             surveying: 0.0,
@@ -95,7 +98,8 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     pub fn run(&mut self) -> (Ended, Option<f64>) {
         let base = self.base_tasks();
         let ended = self.round(&base);
-        if self.tally.pixels.iter().any(|p| p.count == 0) {
+        let is_missing = |pixel: u32| self.tally.pixels[pixel as usize].count == 0;
+        if base.iter().any(|task| is_missing(task.pixel)) {
             let ended = ended.unwrap_or(Ended::Time);
             if ended != Ended::Cancelled {
                 self.fill();
@@ -140,6 +144,8 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let (width, height) = (self.tally.width(), self.tally.height());
         let pixels = if self.settings.is_limited() {
             order::gradual(width, height)
+        } else if self.settings.has_gaps() {
+            order::spaced(width, height, SPACING)
         } else {
             order::tiled(width, height)
         };
@@ -150,6 +156,12 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     /// Corrected expectations of all pixels.
     fn survey(&mut self) -> Vec<Expected> {
         self.convergence = self.calibration.convergence();
+        if self.settings.has_gaps() {
+            self.gaps.fill(&mut self.tally, &self.settings.light, self.survey.changed());
+            if self.rounds == 0 {
+                self.gaps.learn_from_flat_places(self.tally.width());
+            }
+        }
         let (tally, seed) = (&self.tally, self.settings.seed);
         let offset = |i: usize| {
             let (x, y) = tally.place(i);
@@ -169,7 +181,22 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             e.local = e.plain * locality.factor(i % width, i / width);
             e.variance = factors.corrected(level(samples.count), e.local);
         }
+        if self.settings.has_gaps() {
+            self.expect_of_gaps(&mut expected);
+        }
         expected
+    }
+
+    /// What is expected of pixels without samples.
+    fn expect_of_gaps(&self, expected: &mut [Expected]) {
+        let factors = self.gaps.factors();
+        let size = (self.tally.width(), self.tally.height());
+        for i in (0..expected.len()).filter(|&i| self.tally.pixels[i].count == 0) {
+            let plain = self.gaps.error(size.0, i);
+            // What a sample would be off by.
+            let local = 0.25 * Gaps::corners(size, i).map(|k| expected[k].variance).iter().sum::<f32>();
+            expected[i] = Expected { plain, local, variance: factors.corrected(0, plain) };
+        }
     }
 
     fn plan(&self, expected: &[Expected], total: f64) -> Vec<Task> {
@@ -177,6 +204,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             tally: &self.tally,
             expected,
             calibration: &self.calibration,
+            gaps: &self.gaps,
             convergence: &self.convergence,
             samples: self.samples,
             total,
@@ -218,6 +246,11 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     fn merge(&mut self, task: &Task, found: &Found) {
         let sequence = self.sequence(task.pixel as usize);
         let old = &mut self.tally.pixels[task.pixel as usize];
+        if old.count == 0 && task.plain > 0.0 {
+            let light = &self.settings.light;
+            let jump = squared_distance(light, &old.pixel(), &found.samples.pixel(), [0.0; 3]);
+            self.gaps.record(task.plain, jump, task.local);
+        }
         if old.count > 0 {
             let (from, to) = (old.count, old.count + found.samples.count);
             let shift = shift(&sequence, 0..from, from..to, &self.survey.around[task.pixel as usize].slope);
@@ -316,7 +349,11 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         for task in tasks {
             let i = task.pixel as usize;
             if self.tally.pixels[i].count == task.to {
-                expected[i].variance *= self.convergence.ratio[level(task.to / 2)];
+                let e = &mut expected[i];
+                match task.to {
+                    1 => e.variance = task.local,
+                    to => e.variance *= self.convergence.ratio[level(to / 2)],
+                }
             }
         }
     }
@@ -327,10 +364,21 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         for (i, (samples, around)) in self.tally.pixels.iter().zip(&self.survey.around).enumerate() {
             let (x, y) = self.tally.place(i);
             let mut pixel = samples.pixel();
-            if samples.count <= CENTRED {
+            if (1..=CENTRED).contains(&samples.count) {
                 let at = middle(&self.sequence(i), 0..samples.count);
                 pixel = centred(&pixel, &around.slope, at, &self.settings.light);
             }
+            picture.set(x, y, pixel);
+        }
+        let at = |k: usize| {
+            let (x, y) = self.tally.place(k);
+            picture.get(x, y)
+        };
+        let gaps = (0..self.tally.pixels.len()).filter(|&i| self.tally.pixels[i].count == 0);
+        let size = (self.tally.width(), self.tally.height());
+        let gaps: Vec<_> = gaps.map(|i| (i, mean_pixel(Gaps::corners(size, i).map(at)))).collect();
+        for (i, pixel) in gaps {
+            let (x, y) = self.tally.place(i);
             picture.set(x, y, pixel);
         }
     }

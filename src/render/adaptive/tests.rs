@@ -61,16 +61,17 @@ impl Clock for Ticks {
 fn estimates_are_what_errors_are() {
     for painting in ALL {
         let (name, truth) = (painting.name, truth(painting));
-        for target in [0.02, 0.01] {
-            let (picture, outcome) = run(&settings(target), 2, &NoClock, painting.formula);
+        for (target, sparse) in [(0.02, false), (0.01, false), (0.02, true), (0.01, true)] {
+            let settings = Adaptive { sparse, ..settings(target) };
+            let (picture, outcome) = run(&settings, 2, &NoClock, painting.formula);
             let (estimate, error) = (outcome.rmse.unwrap(), compare(&picture, &truth, &light()).rmse);
             assert_eq!(outcome.ended, Ended::Converged, "{name} {target}");
             assert!(estimate <= target, "{name} {target}");
             let (ratio, spp) = (error / estimate, outcome.samples as f64 / f64::from(WIDTH * HEIGHT));
             println!(
-                "{name} {target}: estimate {estimate:.5} error {error:.5} ratio {ratio:.2} {spp:.2} spp"
+                "{name} {target} {sparse}: estimate {estimate:.5} error {error:.5} ratio {ratio:.2} {spp:.2} spp"
             );
-            assert!((1.0 / 1.5..1.5).contains(&ratio), "{name} {target}: {ratio}");
+            assert!((1.0 / 1.5..1.5).contains(&ratio), "{name} {target} {sparse}: {ratio}");
         }
     }
 }
