@@ -15,6 +15,8 @@ pub struct Accuracy {
     /// Seconds from the start to the finished file.
     pub time_limit: Option<f64>,
     pub max_samples: Option<u64>,
+    /// Samples that are enough whatever the error, as a mean of all pixels.
+    pub most_per_pixel: Option<f64>,
     /// Of every pixel.
     pub min_samples: u32,
     /// Whether pixels may go without samples: where nothing but the error is asked for.
@@ -42,11 +44,13 @@ impl Accuracy {
         }
         // Samples for all alone are an order for just these.
         let only_base = named && !limited;
-        let threshold = picture.antialias.filter(|_| !named).map(error_of_threshold);
+        let fineness = picture.antialias.filter(|_| !named).map(fineness_of_threshold);
+        let error = fineness.map(|f| (Adaptive::TARGET / f).max(Self::FINEST));
         Ok(Some(Accuracy {
-            max_error: args.max_error.or(threshold).or(only_base.then_some(1.0)),
+            max_error: args.max_error.or(error).or(only_base.then_some(1.0)),
             time_limit: args.time_limit,
             max_samples: args.max_samples,
+            most_per_pixel: fineness.map(|f| Adaptive::MOST_PER_PIXEL * f),
             min_samples: args.min_samples.unwrap_or(1),
             sparse: args.max_error.is_some() && args.min_samples.is_none(),
             seed: args.seed,
@@ -57,7 +61,9 @@ impl Accuracy {
     pub fn settings(&self, region: Region, light: Light, late: Option<f64>) -> Adaptive {
         Adaptive {
             target: Some(self.max_error.unwrap_or(Self::FINEST)),
-            max_samples: self.max_samples,
+            max_samples: self
+                .max_samples
+                .or(self.most_per_pixel.map(|n| (n * region.pixels() as f64) as u64)),
             deadline: late,
             base: self.min_samples,
             sparse: self.sparse,
@@ -67,9 +73,9 @@ impl Accuracy {
     }
 }
 
-/// POV-Ray's thresholds as errors: its default of 0.3 stands for the default error.
-fn error_of_threshold(threshold: f32) -> f64 {
-    (f64::from(threshold) / 0.3 * Adaptive::TARGET).max(Accuracy::FINEST)
+/// POV-Ray's thresholds as what error is divided and samples are multiplied by: its default of 0.3 stands for 1.
+fn fineness_of_threshold(threshold: f32) -> f64 {
+    0.3 / f64::from(threshold).max(1e-3)
 }
 
 /// `0.01` or `40dB`.
@@ -208,16 +214,22 @@ mod tests {
             let words = [&["glint", "render", "a.pov"], words].concat();
             match Cli::try_parse_from(words).unwrap().command {
                 Command::Render(args) => Accuracy::of(&args.picture, &args.accuracy).map(|a| {
-                    a.map(|a| (a.max_error.map(|e| (e * 1e4).round()), a.max_samples, a.min_samples))
+                    a.map(|a| {
+                        (
+                            a.max_error.map(|e| (e * 1e4).round()),
+                            a.most_per_pixel.map(f64::round),
+                            a.min_samples,
+                        )
+                    })
                 }),
                 other => panic!("{other:?}"),
             }
         };
         assert_eq!(of(&[]), Ok(None));
-        assert_eq!(of(&["-A"]), Ok(Some((Some(50.0), None, 1))));
-        assert_eq!(of(&["-A=0.03"]), Ok(Some((Some(5.0), None, 1))));
+        assert_eq!(of(&["-A"]), Ok(Some((Some(100.0), Some(9.0), 1))));
+        assert_eq!(of(&["-A=0.15"]), Ok(Some((Some(50.0), Some(18.0), 1))));
         assert_eq!(of(&["-A", "--max-error=40dB"]), Ok(Some((Some(100.0), None, 1))));
-        assert_eq!(of(&["--max-samples=7"]), Ok(Some((None, Some(7), 1))));
+        assert_eq!(of(&["--max-samples=7"]), Ok(Some((None, None, 1))));
         assert_eq!(of(&["--min-samples=64"]), Ok(Some((Some(10000.0), None, 64))));
         assert_eq!(of(&["-A", "--aa-method=1"]), Ok(None));
         assert!(of(&["--aa-method=2", "--max-error=0.1"]).is_err());

@@ -213,48 +213,23 @@ impl View<'_> {
 
     fn around(self, x: usize, y: usize) -> Around {
         let own = &self.seen[y * self.width + x];
-        let (mut spread, mut freedom, mut same) = (-own.spread, -own.freedom, true);
-        for i in self.neighbours(x, y) {
-            let s = &self.seen[i];
-            spread += s.spread;
-            freedom += s.freedom;
-            same &= s.light == own.light;
+        let mut sums = Sums { spread: -own.spread, freedom: -own.freedom, ..Sums::default() };
+        let height = self.seen.len() / self.width;
+        let columns = x.saturating_sub(1)..(x + 2).min(self.width);
+        for yy in y.saturating_sub(1)..(y + 2).min(height) {
+            let down = yy as f32 - y as f32;
+            let row = &self.seen[yy * self.width..][..self.width][columns.clone()];
+            for (k, s) in row.iter().enumerate() {
+                let right = (columns.start + k) as f32 - x as f32;
+                sums.add(s, own.light, right + s.at[0], down + s.at[1]);
+            }
         }
-        let within = if freedom > 0.5 { (spread / freedom).max(0.0) } else { 0.0 };
-        if same {
+        let within = if sums.freedom > 0.5 { (sums.spread / sums.freedom).max(0.0) } else { 0.0 };
+        if sums.vv == Vec3A::ZERO {
             return Around { within, ..Around::default() };
         }
-        let (residual, slope) = self.plane(x, y);
+        let (residual, slope) = sums.plane();
         Around { residual, within, slope }
-    }
-
-    /// The plane nearest to a pixel and those around it: mean squared residual over the channels, and
-    /// slopes, made smaller the less the plane explains.
-    fn plane(self, x: usize, y: usize) -> (f32, Slope) {
-        let base = self.seen[y * self.width + x].light;
-        let (mut n, mut sx, mut sy, mut sxx, mut sxy, mut syy) = (0.0f32, 0.0, 0.0, 0.0, 0.0, 0.0);
-        let (mut sv, mut sxv, mut syv, mut svv) = (Vec3A::ZERO, Vec3A::ZERO, Vec3A::ZERO, Vec3A::ZERO);
-        for i in self.neighbours(x, y) {
-            let s = &self.seen[i];
-            let px = (i % self.width) as f32 - x as f32 + s.at[0];
-            let py = (i / self.width) as f32 - y as f32 + s.at[1];
-            let v = s.light - base;
-            n += 1.0;
-            (sx, sy) = (sx + px, sy + py);
-            (sxx, sxy, syy) = (sxx + px * px, sxy + px * py, syy + py * py);
-            (sv, sxv, syv, svv) = (sv + v, sxv + px * v, syv + py * v, svv + v * v);
-        }
-        let (xx, xy, yy) = (sxx - sx * sx / n, sxy - sx * sy / n, syy - sy * sy / n);
-        let det = xx * yy - xy * xy;
-        if n < 4.0 || det <= 1e-3 * xx * yy {
-            return (0.0, Slope::default());
-        }
-        let (xv, yv, vv) = (sxv - sx * sv / n, syv - sy * sv / n, svv - sv * sv / n);
-        let (gx, gy) = ((xv * yy - yv * xy) / det, (yv * xx - xv * xy) / det);
-        let explained = (gx * xv + gy * yv).max(Vec3A::splat(f32::MIN_POSITIVE));
-        let left = (vv - explained).max(Vec3A::ZERO) / (n - 3.0);
-        let share = (Vec3A::ONE - 2.0 * left / explained).max(Vec3A::ZERO);
-        (left.element_sum(), [gx * share, gy * share])
     }
 
     fn surprise(self, x: usize, y: usize) -> Option<f32> {
@@ -264,6 +239,56 @@ impl View<'_> {
             self.neighbours(x, y).all(|i| self.seen[i].sampled && (i == own || self.seen[i].is_like(first)));
         let own = &self.seen[own];
         (own.freedom == 0.0 && alike).then(|| own.light.distance_squared(first.light))
+    }
+}
+
+/// What a plane through pixels is worked out from: places relative to the middle one's centre, values to its.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    spread: f32,
+    freedom: f32,
+    n: f32,
+    x: f32,
+    y: f32,
+    xx: f32,
+    xy: f32,
+    yy: f32,
+    v: Vec3A,
+    xv: Vec3A,
+    yv: Vec3A,
+    vv: Vec3A,
+}
+
+impl Sums {
+    #[inline(always)]
+    fn add(&mut self, s: &Seen, base: Vec3A, x: f32, y: f32) {
+        let v = s.light - base;
+        self.spread += s.spread;
+        self.freedom += s.freedom;
+        self.n += 1.0;
+        (self.x, self.y) = (self.x + x, self.y + y);
+        (self.xx, self.xy, self.yy) = (self.xx + x * x, self.xy + x * y, self.yy + y * y);
+        (self.v, self.xv) = (self.v + v, self.xv + x * v);
+        (self.yv, self.vv) = (self.yv + y * v, self.vv + v * v);
+    }
+
+    /// The plane nearest to the pixels: mean squared residual over the channels, and slopes, made smaller the less
+    /// the plane explains.
+    fn plane(&self) -> (f32, Slope) {
+        let n = self.n;
+        let (xx, xy) = (self.xx - self.x * self.x / n, self.xy - self.x * self.y / n);
+        let yy = self.yy - self.y * self.y / n;
+        let det = xx * yy - xy * xy;
+        if n < 4.0 || det <= 1e-3 * xx * yy {
+            return (0.0, Slope::default());
+        }
+        let (xv, yv) = (self.xv - self.x * self.v / n, self.yv - self.y * self.v / n);
+        let vv = self.vv - self.v * self.v / n;
+        let (gx, gy) = ((xv * yy - yv * xy) / det, (yv * xx - xv * xy) / det);
+        let explained = (gx * xv + gy * yv).max(Vec3A::splat(f32::MIN_POSITIVE));
+        let left = (vv - explained).max(Vec3A::ZERO) / (n - 3.0);
+        let share = (Vec3A::ONE - 2.0 * left / explained).max(Vec3A::ZERO);
+        (left.element_sum(), [gx * share, gy * share])
     }
 }
 
