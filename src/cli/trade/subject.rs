@@ -168,7 +168,7 @@ impl Subject for ScenePictures<'_> {
         let until = Until { clock: &self.wall, end: until };
         let antialias = match knobs.sampling {
             Sampling::Adaptive { max_error } => {
-                let sampling = Adaptive { target: Some(max_error), ..self.sampling(size) };
+                let sampling = Adaptive { target: Some(max_error), sparse: true, ..self.sampling(size) };
                 let tracing = self.sparse(size, knobs.overrides);
                 let (picture, outcome) = self.adaptive(&tracing, &sampling, &until);
                 return (outcome.ended != Ended::Cancelled).then_some(picture);

@@ -5,12 +5,6 @@ const TILE: usize = 16;
 /// Where the first pass of a gradual order puts its samples: every so many pixels along both sides.
 pub const COARSEST: usize = 16;
 
-/// A number that sorts pixels of one square together, squares row by row.
-pub fn tile(width: usize, pixel: usize) -> usize {
-    let (column, row) = (pixel % width / TILE, pixel / width / TILE);
-    row * width.div_ceil(TILE) + column
-}
-
 /// All pixels, square by square.
 pub fn tiled(width: usize, height: usize) -> Vec<u32> {
     spaced(width, height, 1)

@@ -9,7 +9,6 @@ use super::calibration::{BINS, Calibration, bin};
 use super::convergence::{Convergence, LEVELS, level};
 use super::estimate::Expected;
 use super::gaps::Gaps;
-use super::order::tile;
 use super::sequence::mix;
 use super::tally::{Samples, Tally};
 
@@ -58,6 +57,8 @@ impl Task {
 /// What a plan is made from.
 pub struct Planner<'a> {
     pub tally: &'a Tally,
+    /// All pixels in the order in which rays follow each other best.
+    pub order: &'a [u32],
     pub expected: &'a [Expected],
     pub calibration: &'a Calibration,
     pub gaps: &'a Gaps,
@@ -77,19 +78,18 @@ impl Planner<'_> {
         }
         ladder.climb(self.convergence);
         let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t));
-        let mut chosen: Vec<(usize, usize, Task)> = Vec::new();
+        let mut chosen: Vec<Vec<Task>> = vec![Vec::new(); lowest + 1];
         let mut rest: Vec<usize> = Vec::new();
-        for (i, (e, samples)) in self.pixels().enumerate() {
+        for i in self.order.iter().map(|&i| i as usize) {
+            let (e, samples) = (&self.expected[i], &self.tally.pixels[i]);
             let rung = Ladder::rung(gain(e, samples, self.convergence));
             if rung <= lowest && samples.count < MAX_COUNT {
-                let place = tile(self.tally.width(), i);
-                chosen.push((rung, place, Task::doubling(i, samples, e)));
+                chosen[rung].push(Task::doubling(i, samples, e));
             } else {
                 rest.push(i);
             }
         }
-        chosen.sort_by_key(|(rung, place, task)| (*rung, *place, task.pixel));
-        let mut tasks: Vec<Task> = chosen.into_iter().map(|c| c.2).collect();
+        let mut tasks = chosen.concat();
         if !tasks.is_empty() {
             self.audit(&rest, &mut tasks);
         }

@@ -20,6 +20,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Samples that a thread takes on at a time, about.
 const CHUNK: usize = 16;
+/// Tasks that are carried out before what they found is taken in.
+const SEGMENT: usize = 1 << 15;
 /// The means of up to so many samples are moved to the pixel's centre; more are balanced by themselves.
 const CENTRED: u32 = 2;
 /// A survey is begun if there is time for this many of its kind.
@@ -34,6 +36,8 @@ pub struct State<'a, S> {
     /// One per thread.
     samplers: Vec<Mutex<S>>,
     tally: Tally,
+    /// All pixels, square by square.
+    order: Vec<u32>,
     /// The last doubling of each pixel.
     shown: Vec<Shown>,
     survey: Survey,
@@ -65,6 +69,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let tally = Tally::new(settings.region);
         State {
             survey: Survey::new(&tally),
+            order: order::tiled(tally.width(), tally.height()),
             shown: vec![Shown::default(); tally.pixels.len()],
             tally,
             settings,
@@ -147,7 +152,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         } else if self.settings.has_gaps() {
             order::spaced(width, height, SPACING)
         } else {
-            order::tiled(width, height)
+            self.order.clone()
         };
         let count = self.settings.base.max(1).next_power_of_two();
         pixels.into_iter().map(|pixel| Task::first(pixel, count)).collect()
@@ -202,6 +207,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     fn plan(&self, expected: &[Expected], total: f64) -> Vec<Task> {
         let planner = Planner {
             tally: &self.tally,
+            order: &self.order,
             expected,
             calibration: &self.calibration,
             gaps: &self.gaps,
@@ -223,10 +229,17 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             fits
         });
         let within = within.count();
-        let found = self.trace(&tasks[..within], self.chunk(tasks));
-        let done = found.len();
-        for (task, found) in tasks.iter().zip(&found) {
-            self.merge(task, found);
+        let chunk = self.chunk(tasks);
+        let mut done = 0;
+        for (k, segment) in tasks[..within].chunks(SEGMENT).enumerate() {
+            let found = self.trace(segment, k * SEGMENT, chunk);
+            for (task, found) in segment.iter().zip(found.iter().flatten()) {
+                self.merge(task, found);
+                done += 1;
+            }
+            if done < k * SEGMENT + segment.len() {
+                break;
+            }
         }
         if done < within {
             return Some(if self.observer.cancelled() { Ended::Cancelled } else { Ended::Time });
@@ -244,14 +257,14 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     }
 
     fn merge(&mut self, task: &Task, found: &Found) {
-        let sequence = self.sequence(task.pixel as usize);
+        let sequence = (task.to > 1).then(|| self.sequence(task.pixel as usize));
         let old = &mut self.tally.pixels[task.pixel as usize];
         if old.count == 0 && task.plain > 0.0 {
             let light = &self.settings.light;
             let jump = squared_distance(light, &old.pixel(), &found.samples.pixel(), [0.0; 3]);
             self.gaps.record(task.plain, jump, task.local);
         }
-        if old.count > 0 {
+        if let Some(sequence) = sequence.filter(|_| old.count > 0) {
             let (from, to) = (old.count, old.count + found.samples.count);
             let shift = shift(&sequence, 0..from, from..to, &self.survey.around[task.pixel as usize].slope);
             let (a, b) = (old.pixel(), found.samples.pixel());
@@ -278,31 +291,31 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         (CHUNK * tasks.len()).checked_div(new as usize).unwrap_or(1).clamp(1, CHUNK)
     }
 
-    /// The results of the first so many tasks: of all, unless time is up. Tasks are begun in order and what
+    /// The results of the first so many tasks, chunk by chunk: of all, unless time is up. Tasks are begun in order and what
     /// is begun is finished, so that nothing is missing in between. What samplers keep from sample to sample
     /// depends on the chunk alone.
-    fn trace(&self, tasks: &[Task], chunk: usize) -> Vec<Found> {
+    fn trace(&self, tasks: &[Task], before: usize, chunk: usize) -> Vec<Vec<Found>> {
         let next = AtomicUsize::new(0);
         let results: Mutex<Vec<(usize, Vec<Found>)>> = Mutex::new(Vec::new());
         self.pool.broadcast(|thread| {
             let mut sampler = self.samplers[thread.index()].lock().expect("threads do not panic");
             // However little time there is, a round that was begun adds something: the survey before it has
             // changed what the picture hangs on, and a repetition by number of samples has to come that far.
-            let is_first = || next.load(Ordering::Relaxed) == 0;
+            let is_first = || before == 0 && next.load(Ordering::Relaxed) == 0;
             while !self.observer.cancelled() && (is_first() || !self.is_late(0.0)) {
                 let first = next.fetch_add(chunk, Ordering::Relaxed);
                 let Some(tasks) = tasks.get(first..).filter(|t| !t.is_empty()) else { break };
                 let tasks = &tasks[..tasks.len().min(chunk)];
-                let before = sampler.rays();
-                sampler.begin_block(((self.rounds as usize) << 20) ^ (first / chunk));
+                let rays = sampler.rays();
+                sampler.begin_block(((self.rounds as usize) << 20) ^ ((before + first) / chunk));
                 let found: Vec<Found> = tasks.iter().map(|t| self.sample(t, &mut sampler)).collect();
-                self.show(tasks, &found, sampler.rays() - before);
+                self.show(tasks, &found, sampler.rays() - rays);
                 results.lock().expect("threads do not panic").push((first, found));
             }
         });
         let mut results = results.into_inner().expect("threads do not panic");
         results.sort_by_key(|r| r.0);
-        results.into_iter().flat_map(|r| r.1).collect()
+        results.into_iter().map(|r| r.1).collect()
     }
 
     fn sample(&self, task: &Task, sampler: &mut S) -> Found {
@@ -364,7 +377,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         for (i, (samples, around)) in self.tally.pixels.iter().zip(&self.survey.around).enumerate() {
             let (x, y) = self.tally.place(i);
             let mut pixel = samples.pixel();
-            if (1..=CENTRED).contains(&samples.count) {
+            if (1..=CENTRED).contains(&samples.count) && around.slope != Slope::default() {
                 let at = middle(&self.sequence(i), 0..samples.count);
                 pixel = centred(&pixel, &around.slope, at, &self.settings.light);
             }
