@@ -16,6 +16,9 @@ use glam::Vec3A;
 pub const SPACING: usize = 2;
 /// The error that is expected of a gap before any was measured, over the squared difference of the pixels around it.
 const DIFFERENCE_TO_ERROR: f32 = 0.1;
+/// Between pixels that are alike, but next to others that are not, this share of the error is expected that is
+/// expected there.
+const NEXT_TO_ERROR: f32 = 1.0 / 32.0;
 /// A measured difference counts for at least this share of itself when the sample's own error is taken away.
 const LEAST_SHARE: f32 = 0.5;
 
@@ -28,6 +31,8 @@ pub struct Gaps {
     lights: Vec<Vec3A>,
     /// Error that is expected at first of the gaps to the right of and below each of them.
     errors: Vec<f32>,
+    /// The same with what is expected next to errors.
+    spread: Vec<f32>,
     calibration: Calibration,
 }
 
@@ -79,6 +84,7 @@ impl Gaps {
                 }
             }
         }
+        self.spread_errors(columns);
     }
 
     /// Sampled pixels among others that are all alike tell how often there is something small that the others do not
@@ -103,6 +109,24 @@ impl Gaps {
         }
     }
 
+    /// Lets errors be expected next to where they are.
+    fn spread_errors(&mut self, columns: usize) {
+        let rows = self.errors.len() / columns;
+        let mut wide = vec![0.0f32; self.errors.len()];
+        for (wide, errors) in wide.chunks_mut(columns).zip(self.errors.chunks(columns)) {
+            for x in 0..columns {
+                let near = &errors[x.saturating_sub(1)..(x + 2).min(columns)];
+                wide[x] = near.iter().fold(0.0, |a: f32, e| a.max(*e));
+            }
+        }
+        self.spread.resize(self.errors.len(), 0.0);
+        for (i, spread) in self.spread.iter_mut().enumerate() {
+            let (x, y) = (i % columns, i / columns);
+            let near = (y.saturating_sub(1)..(y + 2).min(rows)).map(|y| wide[y * columns + x]);
+            *spread = self.errors[i].max(NEXT_TO_ERROR * near.fold(0.0, f32::max));
+        }
+    }
+
     fn between(tally: &Tally, i: usize) -> Samples {
         let corners = Self::corners((tally.width(), tally.height()), i).map(|k| &tally.pixels[k]);
         let mean = |of: &dyn Fn(&Samples) -> f32| 0.25 * corners.iter().map(|s| of(s)).sum::<f32>();
@@ -116,7 +140,7 @@ impl Gaps {
 
     /// The squared error that is expected of gap `i` at first.
     pub fn error(&self, width: usize, i: usize) -> f32 {
-        self.errors[i / width / SPACING * width.div_ceil(SPACING) + i % width / SPACING].max(FLOOR)
+        self.spread[i / width / SPACING * width.div_ceil(SPACING) + i % width / SPACING].max(FLOOR)
     }
 
     /// A gap of which `expected` was expected has been sampled: it was off by the root of `jump`, in which the
@@ -169,7 +193,8 @@ mod tests {
             assert!((found.mean[1] - there).abs() < 1e-6 && found.count == 0, "{i}: {found:?}");
             let (along, down): (f32, f32) =
                 (if i % 7 == 6 { 0.0 } else { 0.2 }, if i / 7 >= 4 { 0.0 } else { 0.04 });
-            let expected = (DIFFERENCE_TO_ERROR * 3.0 * (along + down).powi(2)).max(FLOOR);
+            let of = |difference: f32| DIFFERENCE_TO_ERROR * 3.0 * difference.powi(2);
+            let expected = of(along + down).max(NEXT_TO_ERROR * of(0.24));
             assert!((gaps.error(7, i) - expected).abs() < 1e-6, "{i}: {}", gaps.error(7, i));
         }
         // Only the gaps around a pixel that changed are looked at again.
