@@ -4,7 +4,7 @@
 //! |------|------|
 //! | base | every pixel gets one sample, or a few; where that may be too many, every fourth (`gaps`) |
 //! | survey | what error is each pixel's mean expected to have (`estimate`, `calibration`)? |
-//! | plan | how far do samples have to be doubled, and where, to reach the target or to spend half as much again (`plan`)? |
+//! | plan | how far do samples have to be doubled, and where, to reach the target or to spend nearly as much again (`plan`)? |
 //! | round | every pixel of the plan is doubled once; so are a few others, to hold expectations to account |
 //!
 //! Survey, plan and round repeat until the picture's expected error is below the target. A round's work

@@ -13,7 +13,7 @@ use super::sequence::mix;
 use super::tally::{Samples, Tally};
 
 /// A plan's share of new samples over those that there are.
-const STEP: f64 = 0.5;
+const STEP: f64 = 0.8;
 /// Rounds are not made smaller than this share of the samples that there are.
 const LEAST_STEP: f64 = 0.03;
 /// A plan aims at a little less than the target, so that it need not be mended afterwards.
@@ -73,31 +73,33 @@ impl Planner<'_> {
     /// The next round's tasks, those first that gain most. `target` is the squared error to be reached.
     pub fn tasks(&self, target: Option<f64>) -> Vec<Task> {
         let mut ladder = Ladder::new();
-        for (e, samples) in self.pixels() {
-            ladder.add(e, samples, self.convergence);
-        }
+        let pixels = self.expected.iter().zip(&self.tally.pixels);
+        let rungs: Vec<u8> =
+            pixels.map(|(e, samples)| ladder.add(e, samples, self.convergence) as u8).collect();
         ladder.climb(self.convergence);
-        let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t));
-        let mut chosen: Vec<Vec<Task>> = vec![Vec::new(); lowest + 1];
+        let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t)) as u8;
+        let is_chosen = |i: usize| rungs[i] <= lowest && self.tally.pixels[i].count < MAX_COUNT;
+        // Sorted by counting: rung by rung, and in order on each.
+        let mut next = [0usize; Ladder::RUNGS + 1];
+        (0..rungs.len()).filter(|&i| is_chosen(i)).for_each(|i| next[usize::from(rungs[i]) + 1] += 1);
+        for rung in 0..Ladder::RUNGS {
+            next[rung + 1] += next[rung];
+        }
+        let mut tasks = vec![Task::first(0, 0); next[Ladder::RUNGS]];
         let mut rest: Vec<usize> = Vec::new();
         for i in self.order.iter().map(|&i| i as usize) {
-            let (e, samples) = (&self.expected[i], &self.tally.pixels[i]);
-            let rung = Ladder::rung(gain(e, samples, self.convergence));
-            if rung <= lowest && samples.count < MAX_COUNT {
-                chosen[rung].push(Task::doubling(i, samples, e));
+            if is_chosen(i) {
+                let place = &mut next[usize::from(rungs[i])];
+                tasks[*place] = Task::doubling(i, &self.tally.pixels[i], &self.expected[i]);
+                *place += 1;
             } else {
                 rest.push(i);
             }
         }
-        let mut tasks = chosen.concat();
         if !tasks.is_empty() {
             self.audit(&rest, &mut tasks);
         }
         tasks
-    }
-
-    fn pixels(&self) -> impl Iterator<Item = (&Expected, &Samples)> {
-        self.expected.iter().zip(&self.tally.pixels)
     }
 
     /// The class that pixel `i` belongs to; gaps' stand behind all levels.
@@ -119,9 +121,10 @@ impl Planner<'_> {
         let chances = self.chances(&members);
         for &i in rest {
             let (level, bin) = self.class(i);
-            let draw = f64::from(mix(mix(i as u32 ^ 0x5BD1_E995) ^ self.round)) / 4_294_967_296.0;
+            let chance = chances[level][bin];
             let samples = &self.tally.pixels[i];
-            if draw < chances[level][bin] && samples.count < MAX_COUNT {
+            let draw = || f64::from(mix(mix(i as u32 ^ 0x5BD1_E995) ^ self.round)) / 4_294_967_296.0;
+            if chance > 0.0 && samples.count < MAX_COUNT && draw() < chance {
                 tasks.push(Task::doubling(i, samples, &self.expected[i]));
             }
         }
@@ -197,9 +200,10 @@ impl Ladder {
             as usize
     }
 
-    /// The first doubling of one pixel.
-    fn add(&mut self, e: &Expected, samples: &Samples, convergence: &Convergence) {
-        let mut rung = Self::rung(gain(e, samples, convergence));
+    /// The first doubling of one pixel; its rung.
+    fn add(&mut self, e: &Expected, samples: &Samples, convergence: &Convergence) -> usize {
+        let own = Self::rung(gain(e, samples, convergence));
+        let mut rung = own;
         let mut variance = e.variance;
         if samples.count == 0 {
             let first = first_gain(e);
@@ -212,6 +216,7 @@ impl Ladder {
         let entry = &mut self.first[level(samples.count) * Self::RUNGS + rung];
         entry.0 += 1.0;
         entry.1 += f64::from(variance);
+        own
     }
 
     /// All further doublings.
