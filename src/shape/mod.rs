@@ -159,6 +159,11 @@ pub trait Shape: Debug + Send + Sync {
         nearest
     }
 
+    /// Whether there is any crossing inside `range`.
+    fn meets(&self, ray: &Ray, range: Range) -> bool {
+        self.nearest(ray, range).is_some()
+    }
+
     /// Where the ray's line is inside, for solids that tell it in one piece with the crossings: always `None` or
     /// never. Ends that lie in `range` are those of [`Shape::crossings`], others need only lie outside.
     fn chord(&self, _ray: &Ray, _range: Range) -> Option<Chord> {

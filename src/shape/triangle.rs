@@ -65,11 +65,11 @@ impl Shear {
         )
     }
 
-    /// [`Shear::weights`] of corners in single precision, for a ray from `origin`.
+    /// What [`Shear::weights`] are proportional to, for corners in single precision and a ray from `origin`.
     #[inline(always)]
-    pub fn weights_of(&self, corners: [&[f32; 3]; 3], origin: &[f64; 3]) -> Option<Vec3> {
+    pub fn shares_of(&self, corners: [&[f32; 3]; 3], origin: &[f64; 3]) -> Option<Vec3> {
         let [a, b, c] = corners;
-        Self::inside(
+        Self::shares(
             self.project_corner(a, origin),
             self.project_corner(b, origin),
             self.project_corner(c, origin),
@@ -85,6 +85,11 @@ impl Shear {
 
     #[inline(always)]
     pub fn inside(a: Vec2, b: Vec2, c: Vec2) -> Option<Vec3> {
+        Self::shares(a, b, c).map(|shares| shares / shares.element_sum())
+    }
+
+    #[inline(always)]
+    fn shares(a: Vec2, b: Vec2, c: Vec2) -> Option<Vec3> {
         let (u, v) = (c.perp_dot(b), a.perp_dot(c));
         if (u < 0.0 && v > 0.0) || (u > 0.0 && v < 0.0) {
             return None;
@@ -94,7 +99,7 @@ impl Shear {
             return None;
         }
         let sum = u + v + w;
-        (sum != 0.0 && sum.is_finite()).then(|| Vec3::new(u, v, w) / sum)
+        (sum != 0.0 && sum.is_finite()).then(|| Vec3::new(u, v, w))
     }
 }
 

@@ -412,7 +412,7 @@ impl Geometry {
     #[inline]
     pub fn meets(&self, solid: Solid, ray: &Ray, range: Range) -> bool {
         match solid {
-            Solid::Leaf(i) => self.nearest_of_leaf(i, ray, range).is_some(),
+            Solid::Leaf(i) => self.meets_leaf(i, ray, range),
             Solid::Compound(i) => self.meets_compound(i, ray, range),
         }
     }
@@ -425,8 +425,20 @@ impl Geometry {
     /// The same inside a combination.
     pub fn is_met(&self, solid: Solid, probe: &Probe, range: Range, lists: &mut Lists) -> bool {
         match solid {
-            Solid::Leaf(i) => self.nearest_of_leaf(i, probe.ray, range).is_some(),
+            Solid::Leaf(i) => self.meets_leaf(i, probe.ray, range),
             Solid::Compound(i) => self.compounds[i as usize].is_met(self, probe, range, lists),
+        }
+    }
+
+    #[inline]
+    fn meets_leaf(&self, index: u32, ray: &Ray, range: Range) -> bool {
+        let leaf = &self.leaves[index as usize];
+        match &leaf.place {
+            None => leaf.shape.meets(ray, range),
+            Some(place) => {
+                let (local, length) = place.inverse_ray(ray);
+                leaf.shape.meets(&local, range.scaled(length))
+            }
         }
     }
 

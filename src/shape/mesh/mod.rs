@@ -25,7 +25,7 @@ mod build;
 pub use build::{FLAT, Merged, MeshBuilder, NO_TEXTURE};
 
 use super::triangle::Shear;
-use super::{Crossing, PartTexture, Shape, rounding};
+use super::{Crossing, PartTexture, Place, Shape, rounding};
 use crate::math::bvh::Bvh;
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
 use std::sync::LazyLock;
@@ -102,8 +102,9 @@ impl Mesh {
         &self.faces
     }
 
-    fn crossing(face: u32, (t, weights): (f64, Vec3)) -> Crossing {
-        Crossing { t, part: face, uv: Vec2::new(weights.y, weights.z) }
+    fn crossing(face: u32, (t, shares): (f64, Vec3)) -> Crossing {
+        let sum = shares.element_sum();
+        Crossing { t, part: face, uv: Vec2::new(shares.y / sum, shares.z / sum) }
     }
 }
 
@@ -130,15 +131,15 @@ impl MeshFaces {
         self.faces[face].map(|v| wide(self.vertices[v as usize]))
     }
 
-    /// Distance to a face that the ray passes, and its corners' weights.
+    /// Distance to a face that the ray passes, and what its corners' weights are proportional to.
     #[inline]
     fn pass(&self, face: usize, ray: &Ray, shear: &Shear) -> Option<(f64, Vec3)> {
         let [a, b, c] = self.faces[face];
         let corner = |v: u32| &self.vertices[v as usize];
         let (a, b, c) = (corner(a), corner(b), corner(c));
-        let weights = shear.weights_of([a, b, c], ray.origin.as_ref())?;
+        let shares = shear.shares_of([a, b, c], ray.origin.as_ref())?;
         let (a, b, c) = (wide(*a) - ray.origin, wide(*b) - ray.origin, wide(*c) - ray.origin);
-        Some((plane_distance(a, b, c, ray.dir)?, weights))
+        Some((plane_distance(a, b, c, ray.dir)?, shares))
     }
 
     pub fn flat_normal(&self, face: usize) -> Vec3 {
@@ -189,6 +190,23 @@ impl MeshFaces {
 
 /// Squared distance below which unit normals are the same.
 const SAME_NORMAL: f64 = 1e-10;
+
+/// The point of a face with these weights of its last two corners, a bound on its distance from the face's
+/// plane, and the face's normal.
+#[inline]
+fn located([a, b, c]: [Vec3; 3], uv: Vec2) -> (Vec3, f64, Vec3) {
+    let p = (1.0 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
+    let (e, f) = (b - a, c - a);
+    let across = f.cross(e);
+    let area = across.length();
+    // A thin face's plane tilts with the rounding of its normal.
+    let (long, short) = (e.length(), f.length());
+    let (long, short) = if long > short { (long, short) } else { (short, long) };
+    let tilt = long * long * short / area;
+    let error = rounding(a.abs().max(b.abs()).max(c.abs()).max_element() + tilt) + 4.0 * EPSILON * tilt;
+    let normal = across / area;
+    (p, error, if normal.is_finite() && area > 0.0 { normal } else { Vec3::Y })
+}
 
 /// Where a ray from the origin along `dir` meets the plane of three points.
 fn plane_distance(a: Vec3, b: Vec3, c: Vec3, dir: Vec3) -> Option<f64> {
@@ -268,13 +286,26 @@ impl Shape for Mesh {
     }
 
     fn locate(&self, _ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
-        let [a, b, c] = self.faces.corners(crossing.part as usize);
-        let uv = crossing.uv;
-        let p = (1.0 - uv.x - uv.y) * a + uv.x * b + uv.y * c;
-        let (e, f) = (b - a, c - a);
-        // A thin face's plane tilts with the rounding of its normal.
-        let tilt = e.length() * f.length() * e.length().max(f.length()) / e.cross(f).length();
-        (p, rounding(a.abs().max(b.abs()).max(c.abs()).max_element() + tilt) + 4.0 * EPSILON * tilt)
+        let (point, error, _) = located(self.faces.corners(crossing.part as usize), crossing.uv);
+        (point, error)
+    }
+
+    fn at(&self, _ray: &Ray, crossing: &Crossing) -> Place {
+        let face = crossing.part as usize;
+        let faces = self.faces();
+        let (point, error, flat) = located(faces.corners(face), crossing.uv);
+        if matches!(faces.normal_corners, Indices::None) {
+            return Place { point, error, normal: flat, face: None };
+        }
+        let normal = faces.smooth_normal(face, crossing.uv).unwrap_or(flat);
+        Place { point, error, normal, face: Some(flat) }
+    }
+
+    fn meets(&self, ray: &Ray, range: Range) -> bool {
+        let shear = Shear::new(ray.dir);
+        let faces = self.faces();
+        let passes = |face: u32| faces.pass(face as usize, ray, &shear);
+        faces.tree.any(ray, range, |face| passes(face).is_some_and(|(t, _)| range.contains(t)))
     }
 
     fn uv(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec2> {
