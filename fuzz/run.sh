@@ -5,7 +5,7 @@
 #   fuzz/run.sh SECONDS WORK [SCENES …]
 #
 # WORK holds corpus and findings, outside the repository. It begins with our scenes, the wrong ones, and those in
-# the folders SCENES. A scene that takes more than 25 s or 2 GB is a finding like a panic.
+# the folders SCENES. A scene that takes more than a minute or 2 GB is a finding like a panic.
 set -euo pipefail
 seconds=$1 work=$(realpath -m "$2")
 shift 2
@@ -18,7 +18,7 @@ while IFS= read -r -d '' scene; do
   head -c 16384 "$scene" >"$corpus/seed-$n"
 done < <(find "$root/tests" "$root/scenes" "$@" \( -name '*.pov' -o -name '*.inc' \) -print0)
 # Every wrong scene for itself, and every line of the table of words.
-awk -v out="$corpus/bad-" '/^=== /{n++; f=out FILENAME n; gsub("[^/]*/", "", f); f=out n; on=1; next} /^---$/{on=0} on{print >f}' \
+awk -v out="$corpus/bad-" '/^=== /{close(f); n++; f=out n; on=1; next} /^---$/{on=0} on{print >f}' \
   "$root"/tests/bad/*.txt
 awk -F ' :: ' -v out="$corpus/word-" '/ :: /{n++; f=out n; gsub(/\$O/, "sphere{0,1 pigment{rgb 1}}", $2); print $2 >f; close(f)}' \
   "$root/tests/language/coverage.txt"
@@ -42,5 +42,5 @@ cat >>"$work/words.dict" <<'WORDS'
 "union{"
 WORDS
 cd "$root"
-cargo fuzz run --sanitizer none scene "$corpus" -- -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
+cargo fuzz run --sanitizer none scene "$corpus" -- -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 \
   -max_len=16384 -dict="$work/words.dict" -artifact_prefix="$work/findings/" -print_final_stats=1 -fork=1 -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1

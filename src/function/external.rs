@@ -17,6 +17,11 @@ pub trait VectorFunction: Debug + Send + Sync {
     /// Components that the value lacks are 0.
     fn value(&self, arguments: &[f64]) -> [f64; 5];
 
+    /// How many functions, patterns, pigments and objects stand within each other here.
+    fn depth(&self) -> u32 {
+        0
+    }
+
     /// The map that the function is, if it is an affine one.
     fn affine(&self) -> Option<&Transform> {
         None
@@ -97,6 +102,16 @@ impl Callee {
             Callee::Itself(itself) => values[0] = itself.number(arguments),
         }
         values
+    }
+
+    /// How many functions and what they call stand within each other in this one.
+    pub fn depth(&self) -> u32 {
+        match self {
+            Callee::Function(function) => function.depth(),
+            Callee::Field(field) => field.depth(),
+            Callee::Vector(vector) => vector.depth(),
+            Callee::Internal(_) | Callee::Itself(_) => 0,
+        }
     }
 
     /// How many numbers a call gives.

@@ -54,7 +54,7 @@ struct Compiled {
     on_numbers: Program,
     on_ranges: Program,
     /// How many functions call each other below this one.
-    depth: usize,
+    depth: u32,
 }
 
 impl Compiled {
@@ -86,17 +86,13 @@ pub enum TooComplex {
 }
 
 /// Most functions that call each other, each too long to be copied into its caller.
-const LARGEST_DEPTH: usize = 64;
+const LARGEST_DEPTH: u32 = 64;
 
 impl Function {
     /// The function of `arity` parameters with the value `root`.
     pub fn new(mut expression: Expression, root: Node, arity: usize) -> Result<Self, TooComplex> {
         expression.finish(root);
-        let depths = expression.callees.iter().map(|c| match c {
-            Callee::Function(f) => f.depth(),
-            _ => 0,
-        });
-        let depth = 1 + depths.max().unwrap_or(0);
+        let depth = 1 + expression.callees.iter().map(Callee::depth).max().unwrap_or(0);
         if depth > LARGEST_DEPTH {
             return Err(TooComplex::Depth);
         }
@@ -158,11 +154,11 @@ impl Function {
         }
     }
 
-    fn depth(&self) -> usize {
+    /// How many functions and what they call stand within each other.
+    pub fn depth(&self) -> u32 {
         match &self.body {
             Body::Expression(compiled) => compiled.depth,
-            Body::Callee(Callee::Function(f)) => f.depth(),
-            Body::Callee(_) => 0,
+            Body::Callee(callee) => callee.depth(),
         }
     }
 
@@ -185,6 +181,10 @@ impl Function {
 impl Field for Function {
     fn value(&self, p: Vec3) -> f64 {
         self.number(&p.to_array())
+    }
+
+    fn depth(&self) -> u32 {
+        Function::depth(self)
     }
 
     fn range(&self, b: &Aabb) -> Option<(f64, f64)> {

@@ -176,6 +176,6 @@ impl Normal {
             NormalKind::Uv(inner) => inner.depth(),
             _ => self.map.iter().flat_map(BlendMap::items).map(|n| n.depth()).max().unwrap_or(0),
         };
-        1 + inner
+        1 + inner.max(self.signal.pattern.depth())
     }
 }

@@ -82,7 +82,7 @@ impl Pigment {
         self.own_colors =
             (patterned && self.map.is_none()).then(|| BlendMap::new(self.signal.pattern.colors()));
         let opaque_map = |map: &ColorMap| map.items().all(|c| !c.is_transparent());
-        self.depth = 1 + self.children().map(|p| p.depth).max().unwrap_or(0);
+        self.depth = 1 + self.children().map(|p| p.depth).fold(self.signal.pattern.depth(), u32::max);
         let asks = match self.kind {
             PigmentKind::Patterned => self.signal.pattern.asks_hit(),
             _ => matches!(self.kind, PigmentKind::Uv(_)),
@@ -279,6 +279,10 @@ impl PigmentField {
 impl VectorFunction for PigmentField {
     fn kind(&self) -> VectorKind {
         VectorKind::Color
+    }
+
+    fn depth(&self) -> u32 {
+        1 + self.pigment.depth()
     }
 
     fn value(&self, arguments: &[f64]) -> [f64; 5] {

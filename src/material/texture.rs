@@ -147,10 +147,10 @@ impl Texture {
         }
     }
 
-    /// How deep patterned textures are nested.
+    /// How deep textures, pigments and normals are nested.
     pub fn depth(&self) -> u32 {
         match self {
-            Texture::Layers(_) => 0,
+            Texture::Layers(layers) => layers.iter().map(Layer::depth).max().unwrap_or(0),
             Texture::Patterned(texture) => texture.depth,
         }
     }
@@ -165,6 +165,10 @@ impl Texture {
 }
 
 impl Layer {
+    fn depth(&self) -> u32 {
+        self.pigment.depth().max(self.normal.as_ref().map_or(0, |n| n.depth()))
+    }
+
     fn asks_hit(&self) -> bool {
         self.pigment.asks_hit() || self.normal.as_ref().is_some_and(|n| n.asks_hit())
     }
@@ -181,7 +185,7 @@ impl Layer {
 impl PatternedTexture {
     pub fn new(kind: PatternedKind, signal: Signal, map: BlendMap<Texture>) -> Self {
         let opaque = map.items().all(Texture::is_opaque);
-        let depth = 1 + map.items().map(Texture::depth).max().unwrap_or(0);
+        let depth = 1 + map.items().map(Texture::depth).fold(signal.pattern.depth(), u32::max);
         Self { kind, signal, map, scale_bumps: true, opaque, depth }
     }
 

@@ -8,6 +8,11 @@ use std::fmt::Debug;
 pub trait Field: Debug + Send + Sync {
     fn value(&self, p: Vec3) -> f64;
 
+    /// How many functions, patterns, pigments and objects stand within each other here.
+    fn depth(&self) -> u32 {
+        0
+    }
+
     /// Two numbers between which all values inside a box lie, if that is known.
     fn range(&self, _b: &Aabb) -> Option<(f64, f64)> {
         None
@@ -31,4 +36,9 @@ pub struct Enclosure {
 /// A part of space.
 pub trait Solid: Debug + Send + Sync {
     fn contains(&self, p: Vec3) -> bool;
+
+    /// As [`Field::depth`].
+    fn depth(&self) -> u32 {
+        0
+    }
 }

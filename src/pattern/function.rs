@@ -12,4 +12,8 @@ impl Pattern for Function {
         let v = self.0.value(p);
         if v > 1.0 { v % 1.0 } else { v }
     }
+
+    fn depth(&self) -> u32 {
+        1 + self.0.depth()
+    }
 }

@@ -199,6 +199,11 @@ pub trait Pattern: Debug + Send + Sync {
         self.value(p, setting)
     }
 
+    /// How many functions, patterns, pigments and objects stand within each other in the pattern.
+    fn depth(&self) -> u32 {
+        0
+    }
+
     /// By how much the value mostly differs (root of the mean square) between places a little apart, per
     /// distance; `None` if that is not known.
     fn steepness(&self) -> Option<f64> {

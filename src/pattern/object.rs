@@ -13,6 +13,10 @@ impl Pattern for InsideOut {
         f64::from(self.0.contains(p))
     }
 
+    fn depth(&self) -> u32 {
+        1 + self.0.depth()
+    }
+
     fn character(&self) -> Character {
         Character::list(2)
     }

@@ -159,4 +159,8 @@ impl Field for PatternField {
         let context = Context::away(&self.surroundings);
         self.signal.value(self.signal.warp(p), &context)
     }
+
+    fn depth(&self) -> u32 {
+        1 + self.signal.pattern.depth()
+    }
 }

@@ -77,7 +77,8 @@ impl Object {
     pub fn new(body: Body) -> Self {
         let depth = match &body {
             Body::Csg { children, .. } => 1 + deepest(children),
-            Body::Shape(_) | Body::Light(_) => 1,
+            Body::Shape(shape) => 1 + shape.depth(),
+            Body::Light(_) => 1,
         };
         Self {
             depth,
@@ -95,9 +96,19 @@ impl Object {
         }
     }
 
-    /// How many combinations and regions stand inside each other, itself included.
+    /// How many combinations and regions stand inside each other, itself included, or what it is made of, if that
+    /// is more.
     pub fn depth(&self) -> u32 {
         self.depth
+    }
+
+    /// Counts what the object's textures and media are made of. Call it when they are complete.
+    pub fn count_materials(&mut self) {
+        let textures = self.textures.iter().chain(&self.interior_textures).chain(&self.part_textures);
+        let deepest = textures.map(|a| a.value.depth()).max().unwrap_or(0);
+        let media = self.interior.iter().flat_map(|a| &a.value.media);
+        let densities = media.flat_map(|m| &m.densities).map(|d| d.depth());
+        self.depth = self.depth.max(deepest).max(densities.max().unwrap_or(0));
     }
 
     /// Adds objects that clip.

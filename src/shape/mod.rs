@@ -127,6 +127,11 @@ pub enum PartTexture {
 
 /// A surface in its own space. Rays have unit directions; all lengths are in object units.
 pub trait Shape: Debug + Send + Sync {
+    /// How many functions, patterns, pigments and objects stand within each other in what the shape is made of.
+    fn depth(&self) -> u32 {
+        0
+    }
+
     /// A box around the whole surface; sides may be infinite.
     fn bounds(&self) -> Aabb;
 

@@ -10,12 +10,13 @@ pub struct ObjectQuery {
     flat: Flattened,
     solid: Solid,
     bounds: Aabb,
+    depth: u32,
 }
 
 impl ObjectQuery {
     pub fn new(object: &Object) -> Self {
         let (flat, solid, bounds) = Flattened::of_one(object);
-        Self { flat, solid, bounds }
+        Self { flat, solid, bounds, depth: object.depth() }
     }
 
     /// The nearest crossing in front of the ray's origin: its point and the unit normal, outward and not
@@ -39,5 +40,9 @@ impl ObjectQuery {
 impl crate::math::field::Solid for ObjectQuery {
     fn contains(&self, p: Vec3) -> bool {
         ObjectQuery::contains(self, p)
+    }
+
+    fn depth(&self) -> u32 {
+        self.depth
     }
 }

@@ -71,6 +71,7 @@ impl Parser {
             None => parameters(self, keyword)?,
         };
         self.object_modifiers(&mut object)?;
+        object.count_materials();
         if object.depth() > MAX_DEPTH {
             let message = format!("objects are combined more than {MAX_DEPTH} levels deep");
             let hint = "put the parts side by side into one union instead of nesting them";

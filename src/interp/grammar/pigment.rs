@@ -79,11 +79,12 @@ impl Parser {
         Ok(pigment)
     }
 
-    pub(super) fn check_depth(&self, depth: u32, span: Span) -> Result<()> {
+    pub(in crate::interp) fn check_depth(&self, depth: u32, span: Span) -> Result<()> {
         if depth <= DEEPEST {
             return Ok(());
         }
-        let message = format!("pigments, normals or textures nested more than {DEEPEST} levels deep");
+        let message =
+            format!("pigments, normals, textures or functions nested more than {DEEPEST} levels deep");
         Err(Box::new(Diagnostic::error(span, message)))
     }
 

@@ -302,6 +302,10 @@ impl March<'_> {
 }
 
 impl Shape for Isosurface {
+    fn depth(&self) -> u32 {
+        self.function.depth()
+    }
+
     fn bounds(&self) -> Aabb {
         self.container.bounds()
     }

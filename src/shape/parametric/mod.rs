@@ -193,6 +193,10 @@ impl Parametric {
 }
 
 impl Shape for Parametric {
+    fn depth(&self) -> u32 {
+        self.functions.iter().map(|f| f.depth()).max().unwrap_or(0)
+    }
+
     fn bounds(&self) -> Aabb {
         self.container.bounds()
     }

@@ -180,7 +180,8 @@ impl Parser {
 
     fn special_function(&mut self, word: Keyword) -> Result<Function> {
         let surroundings = self.scene.surroundings.clone();
-        Ok(match word {
+        let start = self.peek()?.span;
+        let function = match word {
             Keyword::Pattern => {
                 let signal = self.pattern_function()?;
                 Function::from_field(Arc::new(PatternField { signal, surroundings }))
@@ -191,7 +192,9 @@ impl Parser {
             }
             Keyword::Transform => Function::from_vector(Arc::new(self.transform_statement()?)),
             _ => Function::from_vector(self.spline()?),
-        })
+        };
+        self.check_depth(function.depth(), start)?;
+        Ok(function)
     }
 
     /// `pattern { … }`.
