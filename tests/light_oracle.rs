@@ -197,7 +197,7 @@ fn sampled_scenes_agree_in_the_mean() {
 }
 
 /// Scenes of one block that need not agree row by row, and why.
-const OTHERWISE: [(&str, &str); 5] = [
+const OTHERWISE: [(&str, &str); 6] = [
     (
         "rad-pb-imp",
         "in the reference rays that stand for others lose that weight where they gather in turn, so that \
@@ -206,8 +206,12 @@ const OTHERWISE: [(&str, &str); 5] = [
     ("pho-m-auto", LAST_BIT),
     ("pho-m-dense", LAST_BIT),
     ("pho-m-two", LAST_BIT),
-    ("pho-lens", "one row by 0.00009: of photons on the rim of a full search one more is passed by"),
+    ("pho-lens", RIM),
+    ("pho-m-nocol", RIM),
 ];
+
+const RIM: &str = "of photons on the rim of a search that has more than it keeps a few are passed by in the \
+    reference, by how far it still looked when it came there; a search that begins nearer finds them";
 
 const LAST_BIT: &str = "the photons are those of the reference, but whether a plane's photons lie at 0 or at 2e-16 \
     decides how the tree is split, and so which of too many photons a search keeps";

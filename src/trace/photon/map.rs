@@ -10,9 +10,10 @@
 use super::order::ordered;
 use crate::light::PackedPhoton;
 use crate::math::Vec3;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The tree. Knows nothing of how photons came about.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
     /// Coordinates once more, by axis: a search reads many and keeps few.
@@ -21,6 +22,24 @@ pub struct PhotonMap {
     astray: Vec<u8>,
     /// Ranges of the tree, each before those below it, the lower one first.
     parts: Vec<Part>,
+    /// How far searches from the middles of small parts go, once one has asked.
+    reaches: Vec<Reach>,
+}
+
+/// How far a search for so many photons goes that is not limited, in single precision; 0 if that is not known
+/// yet. Whoever works it out finds the same.
+#[derive(Debug, Default)]
+struct Reach(AtomicU64);
+
+impl Reach {
+    fn known(&self, most: usize) -> Option<f64> {
+        let bits = self.0.load(Ordering::Relaxed);
+        (bits != 0 && bits >> 32 == most as u64).then(|| f64::from(f32::from_bits(bits as u32)))
+    }
+
+    fn keep(&self, most: usize, radius: f32) {
+        self.0.store(((most as u64) << 32) | u64::from(radius.to_bits()), Ordering::Relaxed);
+    }
 }
 
 /// A range of the tree and the box around its photons.
@@ -32,34 +51,27 @@ struct Part {
     count: u32,
     /// The part of the upper half; 0 where photons are looked at one by one.
     upper: u32,
+    /// Place in `PhotonMap::reaches`, of parts that are looked at one by one.
+    reach: u32,
     /// What the middle photon's plane lies across.
     axis: u32,
 }
 
 /// Photons around a point.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Nearby {
     /// Squared distance, and place in the map, in the order in which the tree is visited.
     pub members: Vec<(f64, u32)>,
     /// How far the search went in the end.
     pub radius: f64,
-    /// How far the last search went that found more than enough: the next one looks there first. What is
-    /// found does not depend on it.
-    hint: f64,
     keys: Vec<f64>,
-}
-
-impl Default for Nearby {
-    fn default() -> Self {
-        Self { members: Vec::new(), radius: 0.0, hint: f64::INFINITY, keys: Vec::new() }
-    }
 }
 
 /// Ranges up to this many photons are looked at one by one.
 const LEAF: usize = 16;
 
-/// By how much the next search looks farther than the last one went.
-const MARGIN: f64 = 1.1;
+/// No search goes farther.
+const EVERYWHERE: f64 = 1e15;
 
 /// Parts of the largest squared distance, to find the farthest photons by.
 const BUCKETS: usize = 64;
@@ -100,8 +112,6 @@ struct Search<'a> {
     most: usize,
     /// There were more than `most`.
     full: bool,
-    /// What was found hangs on photons farther away than was looked.
-    unsure: bool,
     found: &'a mut Vec<(f64, u32)>,
     keys: &'a mut Vec<f64>,
 }
@@ -122,7 +132,10 @@ impl PhotonMap {
             let range = leaf.first as usize..(leaf.first + leaf.count) as usize;
             find_astray(&photons[range.clone()], 0, &mut astray[range]);
         }
-        Self { photons, places, astray, parts }
+        let small = parts.iter_mut().filter(|p| p.upper == 0);
+        let count = small.enumerate().map(|(i, p)| p.reach = i as u32).count();
+        let reaches = (0..count).map(|_| Reach::default()).collect();
+        Self { photons, places, astray, parts, reaches }
     }
 
     pub fn photons(&self) -> &[PackedPhoton] {
@@ -141,14 +154,36 @@ impl PhotonMap {
             return;
         }
         let metric = Metric { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) };
-        let hint = MARGIN * found.hint;
+        let hint = self.hint(point, most, found);
         if hint < radius && self.search(&metric, (hint, radius), most, found) {
             return;
         }
         found.members.clear();
-        if !self.search(&metric, (radius, radius), most, found) {
-            found.hint = f64::INFINITY;
+        found.radius = radius;
+        self.search(&metric, (radius, radius), most, found);
+    }
+
+    /// A radius within which there are enough photons, but for what their height over a surface changes.
+    fn hint(&self, point: Vec3, most: usize, found: &mut Nearby) -> f64 {
+        let mut at = 0;
+        while self.parts[at].upper != 0 {
+            let part = &self.parts[at];
+            let (axis, middle) = (part.axis as usize, part.first + (part.count - 1) / 2);
+            let is_low = f64::from(self.places[axis][middle as usize]) > point[axis];
+            at = if is_low { at + 1 } else { part.upper as usize };
         }
+        let part = &self.parts[at];
+        let (center, reach) =
+            (0.5 * (part.low.as_dvec3() + part.high.as_dvec3()), &self.reaches[part.reach as usize]);
+        let radius = reach.known(most).unwrap_or_else(|| {
+            let metric = Metric { point: center, normal: Vec3::ZERO };
+            let enough = self.search(&metric, (EVERYWHERE, EVERYWHERE), most, found);
+            let radius = if enough { found.radius as f32 * (1.0 + SINGLE as f32) } else { f32::INFINITY };
+            found.members.clear();
+            reach.keep(most, radius);
+            f64::from(radius)
+        });
+        radius + (point - center).length()
     }
 
     /// Whether there are more than `most` photons within the first radius; the second is the one asked for.
@@ -164,7 +199,6 @@ impl PhotonMap {
             outermost: whole * whole,
             most,
             full: false,
-            unsure: false,
             found: members,
             keys,
         };
@@ -175,9 +209,8 @@ impl PhotonMap {
         }
         if search.full {
             found.radius = search.limit.sqrt();
-            found.hint = found.radius;
         }
-        search.full && (radius == whole || !search.unsure)
+        search.full
     }
 
     /// Where photon `i` lies, seen from `p`.
@@ -305,11 +338,9 @@ impl Search<'_> {
     }
 
     /// Whether the search still goes as far as a plane: there are not enough nearer photons so far.
-    fn looks_behind(&mut self, square: f64) -> bool {
+    fn looks_behind(&self, square: f64) -> bool {
         let nearer = || self.found.iter().filter(|f| f.0 <= square).count();
-        let looks = square < self.outermost && (self.found.len() < self.most || nearer() < self.most);
-        self.unsure |= looks && square >= self.limit;
-        looks
+        square < self.outermost && (self.found.len() < self.most || nearer() < self.most)
     }
 
     /// Drops the farthest photons if there are many.
@@ -370,7 +401,15 @@ fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
     };
     let at = parts.len();
     let (low, high) = empty;
-    parts.push(Part { low, high, first: first as u32, count: photons.len() as u32, upper: 0, axis: 0 });
+    parts.push(Part {
+        low,
+        high,
+        first: first as u32,
+        count: photons.len() as u32,
+        upper: 0,
+        reach: 0,
+        axis: 0,
+    });
     if photons.len() <= LEAF {
         (parts[at].low, parts[at].high) = photons.iter().fold(empty, around);
         return;
@@ -470,18 +509,17 @@ mod tests {
         assert!(others <= 8, "{others} of 2400");
     }
 
-    /// Where the last search ended does not matter.
+    /// What was asked before does not matter.
     #[test]
-    fn hints_change_nothing() {
-        let map = PhotonMap::new(scattered(3000));
-        let mut kept = Nearby::default();
-        for i in 0..200 {
+    fn searches_do_not_hang_on_those_before() {
+        let (kept, mut found) = (PhotonMap::new(scattered(3000)), Nearby::default());
+        for i in 0..100 {
             let f = f64::from(i);
             let p = Vec3::new((f * 0.9).sin() * 6.0, 0.2 * (f * 1.7).cos(), (f * 2.3).sin() * 4.0);
             let mut fresh = Nearby::default();
-            map.gather(p, 1.5, 40, Some(Vec3::Y), &mut fresh);
-            map.gather(p, 1.5, 40, Some(Vec3::Y), &mut kept);
-            assert_eq!((&kept.members, kept.radius), (&fresh.members, fresh.radius));
+            PhotonMap::new(scattered(3000)).gather(p, 1.5, 40, Some(Vec3::Y), &mut fresh);
+            kept.gather(p, 1.5, 40, Some(Vec3::Y), &mut found);
+            assert_eq!((&found.members, found.radius), (&fresh.members, fresh.radius));
         }
     }
 
