@@ -73,7 +73,11 @@ impl Parser {
                 self.next()?;
                 fog.kind = self.float()? as u32;
                 if !(1..=2).contains(&fog.kind) {
-                    return Err(Box::new(Diagnostic::error(token.span, "there are fog types 1 and 2")));
+                    self.warn(Diagnostic::warning(
+                        token.span,
+                        "there are fog types 1 and 2: this is read as 1",
+                    ));
+                    fog.kind = 1;
                 }
                 return Ok(true);
             }

@@ -32,6 +32,9 @@ impl Parser {
             written += 1;
         }
         if written == 0 {
+            if self.options.strict {
+                self.lenient(Diagnostic::warning(keyword.span, "this blob has no component"))?;
+            }
             return Ok(self.degenerate(keyword.span, "blob", "it has no component"));
         }
         let mut object = from_shape(Blob::new(components, threshold));

@@ -233,6 +233,9 @@ impl Parser {
                 let two = self.accept_punct(Punct::Comma)? || self.at_expression()?;
                 (blur.min_samples, blur.max_samples) =
                     if two { (first, self.float()?.max(0.0) as u32) } else { (0, first) };
+                if blur.max_samples == 0 {
+                    return Err(Box::new(Diagnostic::error(self.last, "focal blur needs samples")));
+                }
             }
             Keyword::Confidence => {
                 self.next()?;

@@ -165,6 +165,17 @@ impl Parser {
             }
             self.comma()?;
         }
+        let range = 0.0..=1.0;
+        if !range.contains(&r.pretrace_start)
+            || !range.contains(&r.pretrace_end)
+            || r.pretrace_end > r.pretrace_start
+        {
+            let text = "the pretrace of radiosity starts at 1 or below, and ends there or below";
+            return Err(Box::new(Diagnostic::error(span, text)));
+        }
+        if maximum.is_some_and(|m| m <= 0.0) {
+            return Err(Box::new(Diagnostic::error(span, "`maximum_reuse` must be above 0")));
+        }
         set_reuse(&mut r, minimum, maximum).map_err(|text| Box::new(Diagnostic::error(span, text)))?;
         Ok(r)
     }
@@ -196,9 +207,18 @@ impl Parser {
             Keyword::PretraceEnd => &mut r.pretrace_end,
             Keyword::Brightness | Keyword::GrayThreshold | Keyword::AdcBailout | Keyword::MaxSample => {
                 let value = self.float()? as f32;
+                let fits = match word {
+                    Keyword::Brightness | Keyword::AdcBailout => value > 0.0,
+                    Keyword::GrayThreshold => (0.0..=1.0).contains(&value),
+                    _ => true,
+                };
+                if !fits {
+                    let text = format!("{value} makes no sense as `{}`", word.text());
+                    return Err(Box::new(Diagnostic::error(token.span, text)));
+                }
                 match word {
                     Keyword::Brightness => r.brightness = value,
-                    Keyword::GrayThreshold => r.gray_threshold = value.clamp(0.0, 1.0),
+                    Keyword::GrayThreshold => r.gray_threshold = value,
                     Keyword::AdcBailout => r.adc_bailout = value,
                     _ => r.max_sample = value,
                 }
@@ -247,6 +267,10 @@ impl Parser {
                 p.gather_min = self.float()?.max(0.0) as u32;
                 self.comma()?;
                 p.gather_max = self.float()?.max(0.0) as u32;
+                if p.gather_min > p.gather_max {
+                    let text = "photons are gathered from a smaller number to a larger one";
+                    return Err(Box::new(Diagnostic::error(span, text)));
+                }
             }
             Keyword::Radius => self.photon_radius(p)?,
             Keyword::ExpandThresholds => {
@@ -262,7 +286,8 @@ impl Parser {
                     p.media_factor = self.float()?;
                 }
             }
-            Keyword::MaxTraceLevel => p.max_trace_level = Some(self.whole(1.0, 256.0)?),
+            // 0 stands for the scene's own.
+            Keyword::MaxTraceLevel => p.max_trace_level = Some(self.whole(0.0, 256.0)?).filter(|n| *n > 0),
             Keyword::AdcBailout => p.adc_bailout = Some(self.float()? as f32),
             Keyword::LoadFile => p.load = Some(self.photon_file(span)?),
             Keyword::SaveFile => {
@@ -310,9 +335,9 @@ impl Parser {
             let token = self.next()?;
             match token.tok {
                 Tok::Word(Keyword::Samples) => {
-                    s.diffuse_samples = self.whole(1.0, f64::from(u32::MAX))?;
+                    s.diffuse_samples = self.whole(0.0, f64::from(u32::MAX))?.max(1);
                     self.comma()?;
-                    s.single_samples = self.whole(1.0, f64::from(u32::MAX))?;
+                    s.single_samples = self.whole(0.0, f64::from(u32::MAX))?.max(1);
                 }
                 Tok::Word(Keyword::Radiosity) => s.radiosity = self.flag()?,
                 _ => return Err(self.not_a_setting(token, "subsurface")),

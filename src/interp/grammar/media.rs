@@ -35,6 +35,10 @@ impl Parser {
                 let least = self.whole_number(1)?;
                 self.comma()?;
                 let most = if self.at_expression()? { self.whole_number(1)? } else { least };
+                if most < least {
+                    let text = "an interval cannot have fewer samples at most than at least";
+                    return Err(Box::new(Diagnostic::error(self.last, text)));
+                }
                 media.samples = (least, most);
             }
             Keyword::Collect => media.collect = self.next().and_then(|_| self.flag())?,
@@ -50,11 +54,27 @@ impl Parser {
     fn media_number(&mut self, word: Keyword, media: &mut Media) -> Result<bool> {
         match word {
             Keyword::Intervals => media.intervals = self.next().and_then(|_| self.whole_number(1))?,
-            Keyword::Method => media.method = self.next().and_then(|_| self.whole_number(1))?,
+            Keyword::Method => {
+                self.next()?;
+                let span = self.peek()?.span;
+                media.method = self.whole_number(1)?;
+                if media.method > 3 {
+                    let text = "media are sampled by the methods 1, 2 and 3";
+                    return Err(Box::new(Diagnostic::error(span, text)));
+                }
+            }
             Keyword::AaLevel => media.aa_level = self.next().and_then(|_| self.whole_number(0))?,
             Keyword::Jitter => media.jitter = self.next().and_then(|_| self.float())? as f32,
             Keyword::AaThreshold => media.aa_threshold = self.next().and_then(|_| self.float())? as f32,
-            Keyword::Confidence => media.confidence = self.next().and_then(|_| self.float())? as f32,
+            Keyword::Confidence => {
+                self.next()?;
+                let span = self.peek()?.span;
+                media.confidence = self.float()? as f32;
+                if !(0.0..1.0).contains(&media.confidence) {
+                    let text = "confidence is from 0 to less than 1";
+                    return Err(Box::new(Diagnostic::error(span, text)));
+                }
+            }
             Keyword::Variance => media.variance = self.next().and_then(|_| self.float())? as f32,
             Keyword::Ratio => media.ratio = self.next().and_then(|_| self.float())? as f32,
             _ => return Ok(false),
@@ -77,10 +97,11 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         let token = self.peek()?;
         let kind = self.float()?;
-        if !(1.0..6.0).contains(&kind) {
-            return Err(Box::new(Diagnostic::error(token.span, "scattering has the types 1 to 5")));
+        let known = (1.0..6.0).contains(&kind);
+        if !known {
+            self.warn(Diagnostic::warning(token.span, "scattering has the types 1 to 5: this is read as 1"));
         }
-        media.scattering_type = kind as u32;
+        media.scattering_type = if known { kind as u32 } else { 1 };
         self.comma()?;
         media.scattering = self.rgb()?;
         loop {

@@ -49,7 +49,7 @@ impl Parser {
         let depth = self.float()?;
         if !DEPTHS.contains(&depth) {
             let message = format!("the depth must be from {} to {}", DEPTHS.start(), DEPTHS.end());
-            self.warn(Diagnostic::warning(word.span, message));
+            self.lenient(Diagnostic::warning(word.span, message))?;
         }
         loop {
             self.comma()?;
