@@ -4,7 +4,7 @@
     benches/accel.py [--runs N] [--scene NAME]
 
 Building: CPU seconds of preparing the scene beyond those that the plain list takes. Tracing: CPU microseconds a
-ray (camera, shadow and reflected rays) on one thread, 320x240 pixels; lists of many objects 32x24. Memory: what
+ray (camera, shadow and reflected rays) on one thread, 320x240 pixels; lists of many objects 32x24 or 16x12. Memory: what
 the structure keeps. The least of the runs, taken in turns. Pictures of all three are compared, byte by byte.
 GLINT names another program; pictures go to target/accel.
 """
@@ -36,8 +36,8 @@ SCENES = [
     ("extents of 1 : 10^8, 3 000 spheres", "accel.pov", ["Kind=4", "N=3000"], 3000),
     ("heap in a stadium, 20 000", "accel.pov", ["Kind=5", "N=20000"], 20000),
 ]
-# Lists longer than this are traced in small.
-LONG = 500
+# Lists longer than this are traced in small, or in very small.
+LONG, HUGE = 500, 50_000
 
 
 def glint(command, scene, declared, words):
@@ -58,7 +58,7 @@ def render(scene, declared, kind, size):
 
 
 def measure(name, scene, declared, objects, runs):
-    small, full = (32, 24), (320, 240)
+    small, full = (16, 12) if objects > HUGE else (32, 24), (320, 240)
     if len({render(scene, declared, kind, small)[2] for kind in KINDS}) != 1:
         sys.exit(f"{name}: pictures differ")
     best = {kind: (float("inf"), float("inf")) for kind in KINDS}

@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "target" / "promises"
 GLINT = os.environ.get("GLINT", str(ROOT / "target" / "release" / "glint"))
 SIZE = (128, 96)
-TRUTH_SAMPLES = 256
+TRUTH_SAMPLES = 512
 ERRORS = ["0.01", "0.005"]
 # Name, scene, words.
 SCENES = [
@@ -60,7 +60,7 @@ def distance(a, b):
 
 def truth(name, scene, words):
     """A picture and its own error."""
-    both = [WORK / f"{name.replace(' ', '_')}_{seed}.png" for seed in (1001, 1002)]
+    both = [WORK / f"{name.replace(' ', '_')}_{TRUTH_SAMPLES}_{seed}.png" for seed in (1001, 1002)]
     for path in both:
         if not path.exists():
             seed = path.stem.rsplit("_", 1)[1]

@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "trade.md"
 PARTS = {
     "collection": ["benches/trade_collection.py", "--svg", "docs/trade/collection.svg"],
-    "antialias": ["benches/antialias.py", "--size", "240x180"],
+    "antialias": ["benches/antialias.py", "--size", "128x96"],
     "errors": ["benches/promises.py", "errors"],
     "times": ["benches/promises.py", "times"],
     "povray": ["benches/trade_vs_povray.py", "--runs", "3"],

@@ -67,6 +67,8 @@ pub struct Planner<'a> {
     pub samples: u64,
     pub total: f64,
     pub round: u32,
+    /// Whether the round may end before all its tasks are done: those that gain most come first.
+    pub is_limited: bool,
 }
 
 impl Planner<'_> {
@@ -79,9 +81,11 @@ impl Planner<'_> {
         ladder.climb(self.convergence);
         let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t)) as u8;
         let is_chosen = |i: usize| rungs[i] <= lowest && self.tally.pixels[i].count < MAX_COUNT;
-        // Sorted by counting: rung by rung, and in order on each.
+        // Sorted by counting: rung by rung, and in order on each. If all are done anyway, rays of one place had
+        // better follow each other.
+        let rung = |i: usize| if self.is_limited { usize::from(rungs[i]) } else { 0 };
         let mut next = [0usize; Ladder::RUNGS + 1];
-        (0..rungs.len()).filter(|&i| is_chosen(i)).for_each(|i| next[usize::from(rungs[i]) + 1] += 1);
+        (0..rungs.len()).filter(|&i| is_chosen(i)).for_each(|i| next[rung(i) + 1] += 1);
         for rung in 0..Ladder::RUNGS {
             next[rung + 1] += next[rung];
         }
@@ -89,7 +93,7 @@ impl Planner<'_> {
         let mut rest: Vec<usize> = Vec::new();
         for i in self.order.iter().map(|&i| i as usize) {
             if is_chosen(i) {
-                let place = &mut next[usize::from(rungs[i])];
+                let place = &mut next[rung(i)];
                 tasks[*place] = Task::doubling(i, &self.tally.pixels[i], &self.expected[i]);
                 *place += 1;
             } else {

@@ -215,6 +215,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             samples: self.samples,
             total,
             round: self.rounds,
+            is_limited: self.settings.is_limited(),
         };
         planner.tasks(self.settings.target.map(|t| t * t * (3 * expected.len()) as f64))
     }
