@@ -1,8 +1,8 @@
 //! Single against double precision in ray tests: `cargo bench --bench precision`.
 //!
-//! The same formulas in both precisions, one ray after the other and eight bodies at a time. Time is for one
-//! test; errors are those of single precision with doubles for the truth, for a scene of size 1 whose middle is so far
-//! from the origin, and seen from so far away.
+//! The same formulas in both precisions, one ray and one body after the other. Time is for one test; errors are those of
+//! single precision with doubles for the truth, for a scene of size 1 whose middle is so far from the origin, and seen
+//! from so far away.
 
 use glint::math::Vec3;
 use std::hint::black_box;

@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "trade.md"
 PARTS = {
-    "collection": ["benches/trade_collection.py", "--svg", "docs/trade/collection.svg"],
+    "collection": ["benches/trade_collection.py", "--budget", "8s", "--size", "160x120", "--svg", "docs/trade/collection.svg"],
     "antialias": ["benches/antialias.py", "--size", "128x96"],
     "errors": ["benches/promises.py", "errors"],
     "times": ["benches/promises.py", "times"],
