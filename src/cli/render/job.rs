@@ -232,7 +232,7 @@ const BUSIEST: f64 = 8.0;
 /// About how long it takes to encode and write a picture.
 fn writing_seconds(plan: &Plan) -> f64 {
     /// Of a compressed PNG file, measured with a margin.
-    const PER_PIXEL: f64 = 1.5e-7;
+    const PER_PIXEL: f64 = 5e-8;
     const AT_LEAST: f64 = 0.005;
     let channels = f64::from(plan.bits) / 8.0;
     AT_LEAST + PER_PIXEL * channels * f64::from(plan.width) * f64::from(plan.height)
