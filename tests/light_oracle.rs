@@ -197,7 +197,7 @@ fn sampled_scenes_agree_in_the_mean() {
 }
 
 /// Scenes of one block that need not agree row by row, and why.
-const OTHERWISE: [(&str, &str); 6] = [
+const OTHERWISE: [(&str, &str); 7] = [
     (
         "rad-pb-imp",
         "in the reference rays that stand for others lose that weight where they gather in turn, so that \
@@ -208,6 +208,7 @@ const OTHERWISE: [(&str, &str); 6] = [
     ("pho-m-two", LAST_BIT),
     ("pho-lens", RIM),
     ("pho-m-nocol", RIM),
+    ("pho-m-par", RIM),
 ];
 
 const RIM: &str = "of photons on the rim of a search that has more than it keeps a few are passed by in the \

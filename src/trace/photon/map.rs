@@ -70,6 +70,10 @@ pub struct Nearby {
 /// Ranges up to this many photons are looked at one by one.
 const LEAF: usize = 16;
 
+/// How far is looked first.
+const MARGIN: f64 = 1.06;
+const PART_OF_WAY: f64 = 0.25;
+
 /// No search goes farther.
 const EVERYWHERE: f64 = 1e15;
 
@@ -154,20 +158,26 @@ impl PhotonMap {
             return;
         }
         let metric = Metric { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) };
-        let hint = self.hint(point, most, found);
-        if hint < radius && self.search(&metric, (hint, radius), most, found) {
-            return;
+        let (reach, away) = self.reach_near(point, most, found);
+        for hint in [MARGIN * reach + PART_OF_WAY * away, reach + away] {
+            if hint < radius && self.search(&metric, (hint, radius), most, found) {
+                return;
+            }
+            found.members.clear();
         }
-        found.members.clear();
         found.radius = radius;
         self.search(&metric, (radius, radius), most, found);
     }
 
-    /// A radius within which there are enough photons, but for what their height over a surface changes.
-    fn hint(&self, point: Vec3, most: usize, found: &mut Nearby) -> f64 {
-        let mut at = 0;
+    /// How far a search from the middle of the part around `point` goes, and how far away the middle is. Their sum
+    /// reaches enough photons, but for what their height over a surface changes; less mostly does.
+    fn reach_near(&self, point: Vec3, most: usize, found: &mut Nearby) -> (f64, f64) {
+        let (mut at, mut enclosing) = (0, 0);
         while self.parts[at].upper != 0 {
             let part = &self.parts[at];
+            if part.count as usize > most {
+                enclosing = at;
+            }
             let (axis, middle) = (part.axis as usize, part.first + (part.count - 1) / 2);
             let is_low = f64::from(self.places[axis][middle as usize]) > point[axis];
             at = if is_low { at + 1 } else { part.upper as usize };
@@ -177,13 +187,14 @@ impl PhotonMap {
             (0.5 * (part.low.as_dvec3() + part.high.as_dvec3()), &self.reaches[part.reach as usize]);
         let radius = reach.known(most).unwrap_or_else(|| {
             let metric = Metric { point: center, normal: Vec3::ZERO };
-            let enough = self.search(&metric, (EVERYWHERE, EVERYWHERE), most, found);
+            let around = self.parts[enclosing].farthest(center) * (1.0 + SINGLE);
+            let enough = self.search(&metric, (around, EVERYWHERE), most, found);
             let radius = if enough { found.radius as f32 * (1.0 + SINGLE as f32) } else { f32::INFINITY };
             found.members.clear();
             reach.keep(most, radius);
             f64::from(radius)
         });
-        radius + (point - center).length()
+        (radius, (point - center).length())
     }
 
     /// Whether there are more than `most` photons within the first radius; the second is the one asked for.
@@ -222,6 +233,11 @@ impl PhotonMap {
 }
 
 impl Part {
+    /// Distance of the farthest corner of the box from `p`.
+    fn farthest(&self, p: Vec3) -> f64 {
+        (self.low.as_dvec3() - p).abs().max((self.high.as_dvec3() - p).abs()).length()
+    }
+
     /// Squared distance of the box from `p`.
     #[inline]
     fn distance(&self, p: Vec3) -> f64 {
