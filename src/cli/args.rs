@@ -31,7 +31,7 @@ pub struct Cli {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Render scenes to pictures (the default command)
-    Render(RenderArgs),
+    Render(Box<RenderArgs>),
     /// Parse and prepare scenes without rendering them
     Check(CheckArgs),
     /// Say what a scene required and what was built for it
@@ -528,7 +528,7 @@ mod tests {
 
     fn render(args: &[&str]) -> RenderArgs {
         match Cli::try_parse_from([&["glint", "render"], args].concat()).unwrap().command {
-            Command::Render(r) => r,
+            Command::Render(r) => *r,
             other => panic!("{other:?}"),
         }
     }

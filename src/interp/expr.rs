@@ -1,5 +1,6 @@
 //! Numeric expressions: numbers, and tuples of 2 to 5 of them.
 
+use super::comparison::Comparison;
 use super::directives::TINY;
 use super::program::Level;
 use super::{Parser, Result, Value};
@@ -7,7 +8,6 @@ use crate::color::Color;
 use crate::math::{Vec2, Vec3};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
-use std::cmp::Ordering;
 
 /// What an expression yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -495,59 +495,4 @@ pub(super) fn component_index(word: Keyword) -> Option<u8> {
         Keyword::Transmit => 4,
         _ => return None,
     })
-}
-
-/// Equality allows for a small difference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Comparison {
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    Equal,
-    NotEqual,
-}
-
-impl Comparison {
-    #[inline]
-    pub fn from_token(tok: Tok) -> Option<Self> {
-        let Tok::Punct(punct) = tok else { return None };
-        Some(match punct {
-            Punct::Less => Self::Less,
-            Punct::Greater => Self::Greater,
-            Punct::LessEqual => Self::LessEqual,
-            Punct::GreaterEqual => Self::GreaterEqual,
-            Punct::Equal => Self::Equal,
-            Punct::NotEqual => Self::NotEqual,
-            _ => return None,
-        })
-    }
-
-    /// 1 if it holds, else 0.
-    #[inline]
-    pub fn of(self, a: f64, b: f64) -> f64 {
-        number(match self {
-            Self::Less => a < b,
-            Self::Greater => a > b,
-            Self::LessEqual => a < b || near(a, b),
-            Self::GreaterEqual => a > b || near(a, b),
-            Self::Equal => near(a, b),
-            Self::NotEqual => !near(a, b),
-        })
-    }
-
-    fn holds(self, order: Ordering) -> bool {
-        match self {
-            Self::Less => order.is_lt(),
-            Self::LessEqual => order.is_le(),
-            Self::Greater => order.is_gt(),
-            Self::GreaterEqual => order.is_ge(),
-            Self::Equal => order.is_eq(),
-            Self::NotEqual => order.is_ne(),
-        }
-    }
-}
-
-pub(super) fn near(a: f64, b: f64) -> bool {
-    (a - b).abs() <= TINY || a == b
 }

@@ -4,6 +4,7 @@
 //! grammar of scene statements, which pulls tokens and never sees a directive.
 
 mod builtin;
+mod comparison;
 mod directives;
 pub mod embedded;
 mod evaluate;

@@ -5,7 +5,8 @@
 //! a call), it gives up without having changed anything, and the expression is read as usual.
 
 use super::builtin::{Partial, partial, pure};
-use super::expr::{Comparison, near, number, truth};
+use super::comparison::{Comparison, near};
+use super::expr::{number, truth};
 use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
 
 /// Which operators an expression may have outside parentheses.

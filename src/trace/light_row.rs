@@ -139,7 +139,7 @@ mod tests {
             let f = f64::from(i);
             let location = Vec3::new(f, 5.0 + 0.1 * f, -0.3 * f);
             let point_at = Vec3::new(0.4 * f, 0.0, 0.2);
-            let fade = if i % 2 == 0 { (3.0, 2.0) } else { (0.0, 0.0) };
+            let fade = if i.is_multiple_of(2) { (3.0, 2.0) } else { (0.0, 0.0) };
             let (fade_distance, fade_power) = fade;
             let color = Rgb::new(0.5, 1.0, 0.2) * (1.0 + i as f32);
             Light { location, point_at, color, kind, fade_distance, fade_power, ..Light::default() }

@@ -179,7 +179,7 @@ mod tests {
     fn gaps_lie_between_their_neighbours() {
         let mut tally = Tally::new(Region::whole(7, 6));
         let value = |i: usize| 0.1 * (i % 7) as f32 + 0.02 * (i / 7) as f32;
-        let sampled = |i: usize| i % 7 % SPACING == 0 && i / 7 % SPACING == 0;
+        let sampled = |i: usize| (i % 7).is_multiple_of(SPACING) && (i / 7).is_multiple_of(SPACING);
         for i in (0..42).filter(|&i| sampled(i)) {
             tally.pixels[i] = Samples::of([Pixel::new(Rgb::splat(value(i)), 0.0)].into_iter());
         }

@@ -175,7 +175,7 @@ impl Node {
 
     /// A point counted from the corner, as one counted from the cell's centre.
     #[inline]
-    fn from_center(&self, shifted: Vec3) -> Vec3A {
+    fn seen_from_center(&self, shifted: Vec3) -> Vec3A {
         (shifted - self.cell.center).as_vec3a()
     }
 
@@ -185,7 +185,7 @@ impl Node {
             self.samples.push(Heads::NONE);
         }
         self.count += 1;
-        let from_center = self.from_center(sample.point + CORNER);
+        let from_center = self.seen_from_center(sample.point + CORNER);
         if let Some(heads) = self.samples.last_mut() {
             heads.set(lane, from_center, sample, place);
         }
@@ -244,13 +244,13 @@ impl Cache {
         if inside {
             self.visit_node(tree, root, &search, &mut visit);
         } else if Some(root.cell) == self.root {
-            self.visit_samples(root, root.from_center(search.shifted), &search, &mut visit);
+            self.visit_samples(root, root.seen_from_center(search.shifted), &search, &mut visit);
         }
     }
 
     /// The samples of a node that surrounds the point, those below it first.
     fn visit_node(&self, tree: &Tree, node: &Node, search: &Search, visit: &mut impl FnMut(&Sample)) {
-        let p = node.from_center(search.shifted);
+        let p = node.seen_from_center(search.shifted);
         if node.present != 0 {
             let mut left = node.present & octants_around(p, node.edge);
             while left != 0 {
