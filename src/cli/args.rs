@@ -29,6 +29,7 @@ pub struct Cli {
 }
 
 #[derive(Subcommand, Debug)]
+#[allow(clippy::large_enum_variant)] // There is one in a process.
 pub enum Command {
     /// Render scenes to pictures (the default command)
     Render(Box<RenderArgs>),
