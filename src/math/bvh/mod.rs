@@ -50,7 +50,7 @@ pub struct Bvh {
 
 /// Eight boxes with what is inside them. Unused places hold an empty box, which no ray enters.
 #[derive(Clone, Debug)]
-#[repr(C, align(32))]
+#[repr(C, align(64))]
 struct Node {
     /// Least x, y, z, then greatest x, y, z, of each child.
     bounds: [[f32; WIDTH]; 6],

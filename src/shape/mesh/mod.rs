@@ -15,7 +15,7 @@
 //! between, so every crossing counts once.
 //!
 //! MeshFaces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
-//! (mostly 6), about 11 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
+//! (mostly 6), about 13 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
 //! own.
 //!
 //! Reference: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
