@@ -117,7 +117,7 @@ impl Transform {
 
     /// The ray in inner space with unit direction, and the length that the direction had there: an inner
     /// distance divided by it is the outer distance.
-    #[inline]
+    #[inline(always)]
     pub fn inverse_ray(&self, ray: &Ray) -> (Ray, f64) {
         let dir = self.inverse_vector(ray.dir);
         let len = dir.length();

@@ -7,6 +7,7 @@
 //! Boxes save most questions: one around each child's surface, which a ray must meet to cross it, and one
 //! outside of which the child's answer to "do you contain this point" is known.
 
+use super::convex::Glance;
 use super::geometry::{Found, Geometry, Solid};
 use super::intersection::tie_tolerance;
 use super::probe::{AT_ONCE, Octet, Probe, Reach};
@@ -146,6 +147,11 @@ impl Compound {
             Op::Merge => self.nearest_of_merge(geometry, probe, range, lists),
             Op::Intersection => {
                 let range = self.within(probe, range)?;
+                match self.glance(geometry, probe, range) {
+                    Glance::Nothing => return None,
+                    Glance::Nearest(found) => return Some(found),
+                    Glance::Unsure => {}
+                }
                 let candidates = self.candidates(geometry, probe, range, lists)?;
                 self.nearest_kept(geometry, probe, candidates, lists)
             }
@@ -157,6 +163,11 @@ impl Compound {
         match self.op {
             Op::Intersection if self.gates.is_empty() => {
                 let Some(range) = self.within(probe, range) else { return false };
+                match self.glance(geometry, probe, range) {
+                    Glance::Nothing => return false,
+                    Glance::Nearest(_) => return true,
+                    Glance::Unsure => {}
+                }
                 let candidates = self.candidates(geometry, probe, range, lists);
                 candidates.is_some_and(|c| self.any_kept(geometry, probe, c, lists))
             }

@@ -9,7 +9,7 @@ use super::geometry::{Found, Geometry, Solid};
 use super::probe::Probe;
 use super::scratch::Lists;
 use crate::math::{EPSILON, Range, Ray};
-use crate::shape::Chord;
+use crate::shape::{Chord, Span};
 use smallvec::SmallVec;
 
 /// All crossings of the children of an intersection along one ray: a stretch of the list of
@@ -40,7 +40,7 @@ enum Says {
 const CLOSE: f64 = 1e-9;
 
 #[inline]
-fn margin(size: f64, t: f64) -> f64 {
+pub(super) fn margin(size: f64, t: f64) -> f64 {
     CLOSE * (size + t.abs())
 }
 
@@ -175,15 +175,16 @@ impl Compound {
         lists: &mut Lists,
     ) -> bool {
         let Solid::Leaf(leaf) = child.solid else { return true };
-        let ends = [chord.span.enter, chord.span.leave].map(|(t, part)| (t / length, t, part));
-        let (near, far) = (ends[0].0, ends[1].0);
+        let world = |t: f64| if length == 1.0 { t } else { t / length };
+        let Span { enter, leave } = chord.span;
+        let (near, far) = (world(enter.0), world(leave.0));
         candidates.says.push(Says::Chord(near, far, chord.beyond));
         if !candidates.cut(near, far, chord.beyond, probe.size()) {
             return false;
         }
-        for (t, local, part) in ends {
+        for (t, (local, part)) in [(near, enter), (far, leave)] {
             if candidates.range.contains(t) {
-                candidates.own(i, 1);
+                candidates.owners.push(i as u32);
                 lists.found.push(Found::on_part(t, leaf, local, part));
             }
         }

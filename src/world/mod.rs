@@ -7,6 +7,7 @@ mod accel;
 mod ball;
 mod between;
 mod compound;
+mod convex;
 mod flatten;
 mod geometry;
 mod hit;

@@ -29,8 +29,9 @@ impl Placement {
         Self { transform, way: Way::of(&transform.inverse.matrix3) }
     }
 
-    /// See [`Transform::inverse_ray`].
-    #[inline]
+    /// See [`Transform::inverse_ray`]. Inlined: a ray that is returned through memory is read back before its
+    /// parts have arrived there.
+    #[inline(always)]
     pub fn inverse_ray(&self, ray: &Ray) -> (Ray, f64) {
         match &self.way {
             Way::Moved => (Ray::new(ray.origin + self.transform.inverse.translation, ray.dir), 1.0),

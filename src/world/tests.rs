@@ -1,8 +1,11 @@
 //! Laws of combinations, and what hits promise.
 
+use super::convex::Glance;
 use super::flatten::Flattened;
-use super::geometry::{Geometry, NONE};
+use super::geometry::{Found, Geometry, NONE, Solid};
 use super::hit::{Obstacle, RayClass};
+use super::probe::Probe;
+use super::scratch::with_lists;
 use super::{Accel, ObjectQuery};
 use crate::math::{Range, Ray, Transform, Vec3};
 use crate::scene::{Body, CsgOp, Object};
@@ -73,6 +76,33 @@ proptest! {
         let d = csg(CsgOp::Difference, &[&a, &b]);
         let i = csg(CsgOp::Intersection, &[&a, &inverse(&b)]);
         prop_assert!(same_hit(&d, &i, &r));
+    }
+
+    /// A glance at an intersection says what the careful way says.
+    #[test]
+    fn a_glance_is_right(
+        solids in proptest::collection::vec((solid(), any::<bool>()), 2..6), r in ray(), end in 0.0..12.0f64,
+        back in any::<bool>(), plane in vector(1.0),
+    ) {
+        let mut parts: Vec<Object> =
+            solids.iter().map(|(o, hole)| if *hole { inverse(o) } else { o.clone() }).collect();
+        parts.extend(Plane::new(plane, 0.2).map(shape));
+        let whole = csg(CsgOp::Intersection, &parts.iter().collect::<Vec<_>>());
+        let (flat, built, _) = Flattened::of_one(&whole);
+        let Solid::Compound(i) = built else { panic!("a combination") };
+        let compound = &flat.geometry.compounds[i as usize];
+        let range = Range::new(if back { -3.0 } else { 0.0 }, end);
+        let probe = Probe::new(&r);
+        let careful = with_lists(|lists| {
+            let candidates = compound.candidates(&flat.geometry, &probe, range, lists)?;
+            compound.nearest_kept(&flat.geometry, &probe, candidates, lists)
+        });
+        let same = |a: &Found, b: &Found| (a.t, a.leaf, a.crossing) == (b.t, b.leaf, b.crossing);
+        match compound.glance(&flat.geometry, &probe, range) {
+            Glance::Unsure => {}
+            Glance::Nothing => prop_assert!(careful.is_none()),
+            Glance::Nearest(found) => prop_assert!(careful.is_some_and(|c| same(&c, &found))),
+        }
     }
 
     #[test]
