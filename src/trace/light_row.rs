@@ -148,7 +148,7 @@ mod tests {
         vec![
             light(0, LightKind::Point),
             light(1, LightKind::Point),
-            light(2, spot(1.0, -1.57, 1.57)),
+            light(2, spot(1.0, -15_707.0 / 10_000.0, 15_707.0 / 10_000.0)),
             light(3, spot(1.0, 0.2, 0.5)),
             light(4, spot(0.0, 0.1, 0.9)),
         ]
