@@ -170,7 +170,8 @@ mod tests {
                 let wanted = light
                     .arrival(point, Vec3::ZERO)
                     .map_or(0.0, |a| a.color.max_element() * (normal.dot(a.direction) as f32).max(0.0));
-                assert!((given - wanted).abs() <= 1e-5 * wanted.max(0.1), "{given} {wanted}");
+                // The soft edge of a cone makes more of the roundings of the cosine.
+                assert!((given - wanted).abs() <= 3e-5 * wanted.max(0.1), "{given} {wanted}");
                 count += u32::from(wanted > 0.0);
             }
         }

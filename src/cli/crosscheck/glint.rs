@@ -16,6 +16,8 @@ pub struct Glint {
     limit: Duration,
     folder: Temporary,
     keep: Option<PathBuf>,
+    /// Scenes may read here, as they might if they were rendered from here.
+    readable: Option<PathBuf>,
 }
 
 impl Glint {
@@ -28,7 +30,13 @@ impl Glint {
             limit,
             folder: Temporary::new("glint")?,
             keep,
+            readable: std::env::current_dir().ok(),
         })
+    }
+
+    /// Scenes may read in this folder, and no longer in the working folder.
+    pub fn reading(self, folder: Option<&Path>) -> Self {
+        Self { readable: folder.map(Path::to_owned), ..self }
     }
 
     pub fn picture(&self, scene: &Scene) -> Result<Rendering, NoPicture> {
@@ -56,6 +64,9 @@ impl Glint {
         let mut command = Command::new(&self.program);
         command.current_dir(scene.folder()).env("NO_COLOR", "1").arg("render").arg(scene.file_name());
         command.arg("-o").arg(output).args(self.request.glint());
+        if let Some(folder) = &self.readable {
+            command.arg("--allow-read").arg(folder);
+        }
         command
     }
 

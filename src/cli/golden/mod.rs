@@ -80,7 +80,7 @@ fn reference(entries: &[Entry], args: &GoldenArgs) -> Result<Exit, Failure> {
 
 fn glint(entry: &Entry, header: &Header) -> Result<Rendering, String> {
     let glint = Glint::new(&header.request(entry.size), LIMIT, None).map_err(|e| e.message)?;
-    message(glint.picture(&entry.scene))
+    message(glint.reading(entry.root()).picture(&entry.scene))
 }
 
 fn message(result: Result<Rendering, NoPicture>) -> Result<Rendering, String> {

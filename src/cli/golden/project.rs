@@ -31,6 +31,13 @@ pub struct Entry {
     pub size: (u32, u32),
 }
 
+impl Entry {
+    /// The project's folder, in which all of its scenes may read.
+    pub fn root(&self) -> Option<&Path> {
+        self.scene.path.ancestors().nth(Path::new(&self.name).components().count())
+    }
+}
+
 impl Project {
     /// The folder given, or the nearest one above that has stored pictures.
     pub fn find(args: &GoldenArgs) -> Result<Project, Failure> {
