@@ -73,9 +73,21 @@ fn compare_hit(row: &Row, objects: &mut Objects, from: usize, tolerance: f64) ->
     Err(format!("{}: {p} {n}, expected {hit} {point} {normal}", row.fields[0]))
 }
 
+/// The rows of a table, but for texts where the fonts are missing that come with POV-Ray's include files.
+fn rows(name: &str, heading: &str) -> Vec<Row> {
+    let mut rows = table::rows(name, heading);
+    if !std::path::Path::new("/usr/share/povray-3.7/include/timrom.ttf").exists() {
+        assert!(std::env::var_os("GLINT_REQUIRE_POVRAY").is_none(), "povray-includes is not installed");
+        let all = rows.len();
+        rows.retain(|row| !row.fields.iter().any(|field| field.contains("text{")));
+        println!("skipped: {} rows of texts in {name}, for want of POV-Ray's fonts", all - rows.len());
+    }
+    rows
+}
+
 #[test]
 fn nearest_hits() {
-    let rows = table::rows("trace-oracle.csv", "name");
+    let rows = rows("trace-oracle.csv", "name");
     let mut objects = Objects::default();
     table::check("trace-oracle.csv", &rows, |row| {
         compare_hit(row, &mut objects, 8, tolerance(&row.fields[0]))
@@ -84,7 +96,7 @@ fn nearest_hits() {
 
 #[test]
 fn insides() {
-    let rows = table::rows("inside-oracle.csv", "name");
+    let rows = rows("inside-oracle.csv", "name");
     let mut objects = Objects::default();
     table::check("inside-oracle.csv", &rows, |row| {
         let inside = objects.get(&row.fields[1])?.contains(vector(row, 2));
@@ -95,14 +107,14 @@ fn insides() {
 
 #[test]
 fn exact_edges() {
-    let rows = table::rows("edge-oracle.csv", "object");
+    let rows = rows("edge-oracle.csv", "object");
     let mut objects = Objects::default();
     table::check("edge-oracle.csv", &rows, |row| compare_hit(row, &mut objects, 7, 1e-6));
 }
 
 #[test]
 fn text_hits() {
-    let rows = table::rows("text-oracle.csv", "name");
+    let rows = rows("text-oracle.csv", "name");
     let mut objects = Objects::default();
     table::check("text-oracle.csv", &rows, |row| {
         compare_hit(row, &mut objects, 8, tolerance(&row.fields[0]))
@@ -111,7 +123,7 @@ fn text_hits() {
 
 #[test]
 fn surface_parameters() {
-    let rows = table::rows("uv-oracle.csv", "name");
+    let rows = rows("uv-oracle.csv", "name");
     let mut worlds: HashMap<String, World> = HashMap::new();
     table::check("uv-oracle.csv", &rows, |row| {
         let text = row.fields[1].replace("UVTEXTURE", "uv_mapping pigment { rgb 1 }");
