@@ -1,8 +1,8 @@
+use super::gathering::gathered;
 use super::{Observer, Settings, blocks};
 use crate::trace::photon::Landed;
-use crate::trace::{self, Counters, Gathered, Indirect, Photons, Pretrace, Shooting, Tracer};
+use crate::trace::{self, Counters, Indirect, Photons, Pretrace, Shooting, Tracer};
 use crate::world::World;
-use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -25,18 +25,10 @@ pub fn indirect(
         let r = b.region;
         [r.x0, r.y0, r.x1, r.y1]
     });
-    let radiosity = Pretrace::new(world, tracing, photons.clone(), tiles).map(|mut pretrace| {
-        for pass in 0..pretrace.passes() {
-            for wave in pretrace.waves() {
-                let (gathered, counted) = trace_wave(&pretrace, pass, wave.clone(), pool, observer);
-                counters += counted;
-                if observer.cancelled() {
-                    return pretrace.finish();
-                }
-                pretrace.merge(wave, gathered);
-            }
-        }
-        pretrace.finish()
+    let radiosity = Pretrace::new(world, tracing, photons.clone(), tiles).and_then(|pretrace| {
+        let (lighting, counted) = gathered(&pretrace, pool, observer);
+        counters += counted;
+        lighting
     });
     (Indirect { photons, radiosity }, counters)
 }
@@ -91,32 +83,4 @@ fn follow(
     let mut all = all.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
     all.sort_by_key(|&(first, _)| first);
     all.into_iter().flat_map(|(_, landed)| landed).collect()
-}
-
-/// Some tiles of one pass, in their order.
-fn trace_wave(
-    pretrace: &Pretrace,
-    pass: usize,
-    wave: Range<usize>,
-    pool: &rayon::ThreadPool,
-    observer: &dyn Observer,
-) -> (Vec<Gathered>, Counters) {
-    let next = AtomicUsize::new(wave.start);
-    let all = Mutex::new(Vec::with_capacity(wave.len()));
-    let counted = pool.broadcast(|_| {
-        let mut tracer = pretrace.tracer();
-        loop {
-            let tile = next.fetch_add(1, Ordering::Relaxed);
-            if tile >= wave.end || observer.cancelled() {
-                return tracer.counters();
-            }
-            let gathered = pretrace.trace(&mut tracer, pass, tile);
-            all.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push((tile, gathered));
-        }
-    });
-    let mut all = all.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
-    all.sort_by_key(|&(tile, _)| tile);
-    let mut counters = Counters::default();
-    counted.into_iter().for_each(|c| counters += c);
-    (all.into_iter().map(|(_, gathered)| gathered).collect(), counters)
 }

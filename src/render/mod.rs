@@ -6,6 +6,7 @@
 pub mod adaptive;
 mod antialias;
 mod block;
+mod gathering;
 mod grid;
 mod indirect;
 mod recursive;

@@ -27,7 +27,7 @@ mod subsurface;
 mod tracer;
 
 pub use photon::{Photons, Shooting};
-pub use radiosity::{Gathered, Lighting, Pretrace, Sample, Tile, file as radiosity_file};
+pub use radiosity::{Gathered, Lighting, Pretrace, Progress, Sample, Tile, file as radiosity_file};
 pub use tracer::{Indirect, Tracer};
 
 use crate::math::Vec3;

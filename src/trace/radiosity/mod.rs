@@ -1,10 +1,10 @@
 //! Diffuse light between surfaces: gathered over the hemisphere at few places, kept in a cache and blended
 //! in between.
 //!
-//! First the picture is traced coarsely, pass by pass ([`Pretrace`]), to fill the cache. The tiles of a
-//! pass are taken in waves of a few: they see what earlier passes, earlier waves and they themselves gathered,
-//! not each other's new samples. The blocks of the picture see the finished cache and what they themselves
-//! add. So nothing depends on the order in which threads take them.
+//! First the picture is traced coarsely, pass by pass ([`Pretrace`]), to fill the cache. Every tile of a pass is
+//! a step, which sees what all steps before it gathered, but for the last few, and what it gathers itself. The
+//! blocks of the picture see the finished cache and what they themselves add. So nothing depends on the order
+//! in which threads take them.
 
 mod cache;
 mod directions;
@@ -16,7 +16,7 @@ mod reference;
 mod table;
 
 pub use cache::{Cache, Sample};
-pub use pretrace::{Gathered, Pretrace, Tile};
+pub use pretrace::{Gathered, Pretrace, Progress, Tile};
 pub(super) use query::Query;
 
 use super::Settings;

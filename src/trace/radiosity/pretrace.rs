@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// A rectangle of pixels: columns x0..x1, rows y0..y1.
 pub type Tile = [u32; 4];
 
-/// The plan of all passes, and what they found so far.
+/// The plan of all passes: their tiles one after the other, as steps.
 #[derive(Debug)]
 pub struct Pretrace<'w> {
     world: &'w World,
@@ -26,7 +26,7 @@ pub struct Pretrace<'w> {
 
 /// How far a tile has come.
 #[derive(Clone, Debug)]
-struct Progress {
+pub struct Progress {
     tile: Tile,
     /// Parts that are not finished, on a grid of `cells` parts each way.
     parts: Vec<(u32, u32)>,
@@ -38,17 +38,22 @@ struct Progress {
 /// What one tile gave in one pass.
 #[derive(Debug)]
 pub struct Gathered {
-    samples: Vec<Sample>,
-    progress: Progress,
+    pub samples: Arc<[Sample]>,
+    pub progress: Progress,
 }
 
 /// A part with fewer points is never finished.
 const FEWEST_POINTS: u32 = 9;
 
-/// Tiles that may be traced side by side. Fewer keep closer to the reference's one-thread order, and gather
-/// less twice; more keep more threads busy. The number does not depend on threads.
-const SMALLEST_WAVE: usize = 4;
-const MOST_WAVES: usize = 32;
+/// Steps that may be taken side by side, at most: so many, or a share of a pass. Fewer keep closer to the
+/// reference's one-thread order, and gather less twice; more keep more threads busy. The number does not depend
+/// on threads.
+const ABREAST: usize = 8;
+const ABREAST_SHARE: usize = 32;
+
+/// The first steps go one by one, after so many two abreast, and so on: what lies behind the first bounce is
+/// gathered by the first tiles for all others.
+const STEPS_PER_RANK: usize = 4;
 
 /// Numbers drawn before they repeat.
 const CYCLE: usize = 2047;
@@ -77,18 +82,25 @@ impl<'w> Pretrace<'w> {
         Some(Self { world, settings: settings.clone(), photons, radiosity, lighting, spacings, tiles })
     }
 
-    pub fn passes(&self) -> usize {
-        self.spacings.len()
+    /// Tiles times passes.
+    pub fn steps(&self) -> usize {
+        self.spacings.len() * self.tiles.len()
     }
 
-    /// The tiles of a pass in waves: those of one wave do not see each other's samples, later ones do.
-    pub fn waves(&self) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
+    /// How many steps a step must have seen: all but those just before it, so that a few can be taken at a
+    /// time. The tile's own last step is always among them.
+    pub fn seen_by(&self, step: usize) -> usize {
         let count = self.tiles.len();
-        let size = (count / MOST_WAVES).max(SMALLEST_WAVE);
-        (0..count).step_by(size).map(move |first| first..count.min(first + size))
+        let most = (count / ABREAST_SHARE).max(ABREAST).min(count);
+        (step + 1).saturating_sub(most.min(1 + step / STEPS_PER_RANK))
     }
 
-    /// A tracer for [`Pretrace::trace`]; one per thread and pass.
+    /// The step that took the same tile in the pass before.
+    pub fn same_tile_before(&self, step: usize) -> Option<usize> {
+        step.checked_sub(self.tiles.len())
+    }
+
+    /// A tracer for [`Pretrace::trace`] that knows of no step yet; one per thread.
     pub fn tracer(&self) -> Tracer<'w> {
         let mut tracer = Tracer::new(self.world, &self.settings);
         tracer.radiosity = Some(Radiosity::new(self.world, &self.settings, self.lighting.clone(), true));
@@ -96,9 +108,10 @@ impl<'w> Pretrace<'w> {
         tracer
     }
 
-    /// One tile of one pass.
-    pub fn trace(&self, tracer: &mut Tracer, pass: usize, serial: usize) -> Gathered {
-        let mut progress = self.tiles[serial].clone();
+    /// One tile of one pass, which is at `progress` if this is not the first.
+    pub fn trace(&self, tracer: &mut Tracer, step: usize, progress: Option<Progress>) -> Gathered {
+        let (pass, serial) = (step / self.tiles.len(), step % self.tiles.len());
+        let mut progress = progress.unwrap_or_else(|| self.tiles[serial].clone());
         tracer.begin_tile(&progress.next);
         let spacing = self.spacings[pass];
         let mut shake = Shake { index: (17 * (pass + 1) + 13 * serial) % CYCLE };
@@ -146,19 +159,6 @@ impl<'w> Pretrace<'w> {
         let (queries, mean) = tracer.counted();
         let wanted = self.radiosity.adaptive_count;
         points >= FEWEST_POINTS && (queries == 0 || (wanted > 0 && mean >= f64::from(wanted)))
-    }
-
-    /// Takes up what a wave gave, in the order of its tiles.
-    pub fn merge(&mut self, wave: std::ops::Range<usize>, gathered: Vec<Gathered>) {
-        let cache = Arc::make_mut(&mut self.lighting.cache);
-        for (tile, gathered) in self.tiles[wave].iter_mut().zip(gathered) {
-            gathered.samples.into_iter().for_each(|s| cache.insert(s));
-            *tile = gathered.progress;
-        }
-    }
-
-    pub fn finish(self) -> Lighting {
-        self.lighting
     }
 }
 
@@ -221,6 +221,19 @@ impl Shake {
 }
 
 impl Tracer<'_> {
+    /// Takes up what a step gathered; steps in their order.
+    pub fn learn(&mut self, samples: &[Sample]) {
+        if let Some(r) = &mut self.radiosity {
+            let cache = Arc::make_mut(&mut r.lighting.cache);
+            samples.iter().for_each(|s| cache.insert(s.clone()));
+        }
+    }
+
+    /// What the tracer has learned.
+    pub fn lighting(self) -> Option<Lighting> {
+        self.radiosity.map(|r| r.lighting)
+    }
+
     fn begin_tile(&mut self, next: &[usize]) {
         if let Some(r) = &mut self.radiosity {
             r.own.clear();
@@ -229,10 +242,10 @@ impl Tracer<'_> {
     }
 
     /// What the tile gathered, and where its directions stand now.
-    fn take_samples(&mut self, next: &mut [usize]) -> Vec<Sample> {
-        let Some(r) = &mut self.radiosity else { return Vec::new() };
+    fn take_samples(&mut self, next: &mut [usize]) -> Arc<[Sample]> {
+        let Some(r) = &mut self.radiosity else { return Arc::default() };
         next.copy_from_slice(&r.next);
-        let samples = r.own.samples().to_vec();
+        let samples = r.own.samples().into();
         r.own.clear();
         samples
     }
