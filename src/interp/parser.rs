@@ -238,6 +238,13 @@ impl Parser {
         self.hold.replace(hold)
     }
 
+    /// What waited in a text that has ended waits in the one around it.
+    pub(super) fn lower_hold(&mut self) {
+        if let Some(hold) = &mut self.hold {
+            hold.frames = hold.frames.min(self.frames.len());
+        }
+    }
+
     /// Nothing waits any more.
     pub(super) fn release_all(&mut self) -> Option<Hold> {
         self.hold.take()
@@ -245,6 +252,7 @@ impl Parser {
 
     pub(super) fn release(&mut self, before: Option<Hold>) {
         self.hold = before;
+        self.lower_hold();
     }
 
     pub(super) fn take_ahead(&mut self) -> Option<Token> {
@@ -400,6 +408,11 @@ impl Parser {
     /// The spelling of an identifier.
     pub fn name(&self, symbol: Symbol) -> &str {
         self.names.spelling(symbol)
+    }
+
+    /// An error unless the condition holds.
+    pub(super) fn demand(&self, holds: bool, span: Span, text: &str) -> Result<()> {
+        if holds { Ok(()) } else { Err(Box::new(Diagnostic::error(span, text))) }
     }
 
     pub fn warn(&mut self, mut diagnostic: Diagnostic) {

@@ -173,6 +173,7 @@ impl Parser {
         {
             self.symbols.leave();
         }
+        self.lower_hold();
         Ok(())
     }
 
