@@ -201,7 +201,7 @@ fn messages() -> Vec<(String, Vec<String>)> {
     files.iter().flat_map(|path| messages_in(path)).collect()
 }
 
-/// String literals that follow `Diagnostic::error(` or `unexpected(` closely.
+/// String literals that follow `Diagnostic::error(`, `unexpected(` or `demand(` closely.
 fn messages_in(path: &Path) -> Vec<(String, Vec<String>)> {
     let text = fs::read_to_string(path).unwrap();
     let code = text.split("#[cfg(test)]").next().unwrap();
@@ -209,7 +209,7 @@ fn messages_in(path: &Path) -> Vec<(String, Vec<String>)> {
         code.lines().filter(|l| !l.trim_start().starts_with("//")).collect::<Vec<_>>().join(" ");
     let name = path.file_name().unwrap().to_string_lossy().into_owned();
     let mut found = Vec::new();
-    for call in ["Diagnostic::error(", "unexpected(", "unexpected_token("] {
+    for call in ["Diagnostic::error(", "unexpected(", "unexpected_token(", ".demand("] {
         for (at, _) in code.match_indices(call) {
             let rest = &code[at + call.len()..];
             let end = rest.find(");").unwrap_or(rest.len()).min(160);

@@ -22,9 +22,13 @@ fn is_installed() -> bool {
 }
 
 fn read(text: &str, includes: IncludeMode) -> Outcome {
+    read_as(text, includes, false)
+}
+
+fn read_as(text: &str, includes: IncludeMode, strict: bool) -> Outcome {
     let source = SceneSource::Text { name: "scene.pov".to_owned(), text: text.as_bytes().to_vec() };
     let library_paths = vec![folder("language"), folder("data/images")];
-    interpret(source, &Options { library_paths, includes, ..Options::default() })
+    interpret(source, &Options { library_paths, includes, strict, ..Options::default() })
 }
 
 /// Scenes print, text for text, what POV-Ray 3.7 printed (`tests/language/make_expected.sh` asks it again).
@@ -172,4 +176,37 @@ fn internal_functions_by_name() {
             assert!(near, "{row:?}: {found}");
         }
     }
+}
+
+/// Values of settings, accepted and refused: `tests/data/ranges.txt`.
+#[test]
+fn settings_have_the_ranges_of_the_table() {
+    if !is_installed() {
+        return;
+    }
+    const VALUES: [&str; 11] = ["-1", "0", "0.5", "1", "1.5", "2", "5", "100", "1e10", "-1e10", "-1e-9"];
+    let table = fs::read_to_string(folder("data/ranges.txt")).unwrap();
+    let (mut wrong, mut asked) = (Vec::new(), 0);
+    for (signs, text) in table.lines().filter(|l| !l.starts_with('#')).filter_map(|l| l.split_once(' ')) {
+        let text = text
+            .replace("@V", "#version 3.7; global_settings{assumed_gamma 1}")
+            .replace("@O", "camera{location -4*z look_at 0} light_source{<3,5,-4> rgb 1}")
+            .replace("@S", "sphere{0,1 pigment{rgb 1}}");
+        assert_eq!(signs.len(), VALUES.len(), "{text}");
+        for (sign, value) in signs.chars().zip(VALUES).filter(|&(sign, _)| sign != '.') {
+            let text = text.replace('$', value);
+            let accepts = |strict| read_as(&text, IncludeMode::Auto, strict).scene.is_ok();
+            let expected = match sign {
+                '+' | 'r' => (true, true),
+                's' => (true, false),
+                _ => (false, false),
+            };
+            asked += 1;
+            if (accepts(false), accepts(true)) != expected {
+                wrong.push(format!("{sign} {value}: {text}"));
+            }
+        }
+    }
+    assert!(asked > 3900, "{asked} values");
+    assert!(wrong.is_empty(), "{} values\n{}", wrong.len(), wrong.join("\n"));
 }

@@ -1,6 +1,6 @@
 //! Strings: literals, their escapes and characters, and the functions that make strings.
 
-use super::builtin::{format_date, format_fixed, format_short};
+use super::builtin::{format_date, format_fixed, format_short, has_date};
 use super::{Parser, Result, Value};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Keyword, Punct, StringId, Tok};
@@ -156,7 +156,7 @@ impl Parser {
     }
 
     fn chr_function(&mut self) -> Result<String> {
-        let code = self.float()?;
+        let code = self.float()?.trunc();
         if !(0.0..65_536.0).contains(&code) {
             return Err(Box::new(Diagnostic::error(
                 self.last,
@@ -173,6 +173,8 @@ impl Parser {
     /// `datetime(days [, format])`.
     fn datetime_function(&mut self) -> Result<String> {
         let days = self.float()?;
+        let text = "dates are those of the years 1400 to 9999";
+        self.demand(has_date(days), self.last, text)?;
         self.comma()?;
         if self.peek()?.tok == Tok::Punct(Punct::RightParen) {
             return Ok(format_date(days, DATE_FORMAT));

@@ -134,6 +134,11 @@ fn expansion(letter: char) -> Option<&'static str> {
     })
 }
 
+/// Whether the moment `days` after 2000-01-01 is one of the years 1400 to 9999.
+pub(in crate::interp) fn has_date(days: f64) -> bool {
+    (-219_145.0..2_921_940.0).contains(&days)
+}
+
 /// The moment `days` after 2000-01-01, written by `format`.
 pub(in crate::interp) fn format_date(days: f64, format: &str) -> String {
     write(&Date::new((days * 86_400.0 + EPOCH + 0.5).floor() as i64 % (1 << 50)), format)

@@ -11,7 +11,7 @@ use super::{Parser, Result};
 use crate::syntax::{Keyword, Punct, Token};
 
 pub(super) use arithmetic::{Partial, partial, pure, truncate};
-pub(super) use date::format_date;
+pub(super) use date::{format_date, has_date};
 pub(super) use text::{format_fixed, format_general, format_short};
 
 /// Words that begin a number or vector: functions, and names whose value depends on the scene.

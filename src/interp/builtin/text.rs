@@ -90,7 +90,7 @@ pub(in crate::interp) fn leading_number(text: &str) -> f64 {
             return sign * value;
         }
     }
-    sign * size[..decimal_length(bytes)].parse().unwrap_or(0.0)
+    size[..decimal_length(bytes)].parse().map_or(0.0, |size: f64| sign * size)
 }
 
 /// How many bytes of `text` make a decimal number.

@@ -147,8 +147,8 @@ impl Parser {
         match word {
             Keyword::Angle => rainbow.angle = self.float()?.to_radians(),
             Keyword::Width => rainbow.width = self.float()?.to_radians(),
-            Keyword::ArcAngle => rainbow.arc_angle = Some(self.float()?.to_radians()),
-            Keyword::FalloffAngle => rainbow.falloff_angle = Some(self.float()?.to_radians()),
+            Keyword::ArcAngle => rainbow.arc_angle = Some(self.turn()?.to_radians()),
+            Keyword::FalloffAngle => rainbow.falloff_angle = Some(self.turn()?.to_radians()),
             Keyword::Distance => rainbow.distance = self.float()?,
             Keyword::Jitter => rainbow.jitter = self.float()?,
             Keyword::Direction => rainbow.direction = self.vector()?,
@@ -159,6 +159,14 @@ impl Parser {
             }
         }
         Ok(())
+    }
+
+    /// An angle up to a full turn.
+    fn turn(&mut self) -> Result<f64> {
+        let span = self.peek()?.span;
+        let angle = self.float()?;
+        self.demand((0.0..=360.0).contains(&angle), span, "this angle is from 0 to 360 degrees")?;
+        Ok(angle)
     }
 
     /// `sky_sphere { … }`; the word is the next token.

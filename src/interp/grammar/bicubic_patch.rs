@@ -46,7 +46,7 @@ impl Parser {
                 let message = "this type of patch is no longer supported: type 1 is taken";
                 self.warn(Diagnostic::warning(keyword.span, message));
             }
-            Some(_) => {}
+            Some(kind) => self.demand(kind.trunc() >= 0.0, keyword.span, "a patch is of type 0 or 1")?,
         }
         let mut controls = [[Vec3::ZERO; 4]; 4];
         for (i, point) in controls.iter_mut().flatten().enumerate() {

@@ -203,18 +203,21 @@ impl Parser {
     /// An angle in degrees; two for a spherical camera.
     fn camera_angle(&mut self, camera: &mut Camera, items: &mut Items, span: Span) -> Result<()> {
         let angle = self.float()?;
+        let curved = !is_straight(&camera.kind);
+        self.demand(!curved || angle >= 0.0, span, "this camera's angle must not be negative")?;
         if matches!(camera.kind, CameraKind::Spherical) {
             let height = if self.accept_punct(Punct::Comma)? || self.at_expression()? {
                 self.float()?
             } else {
                 0.5 * angle
             };
+            self.demand(height >= 0.0, span, "this camera's angle must not be negative")?;
             camera.vertical_angle = height.to_radians();
         }
-        if is_straight(&camera.kind) {
-            items.angle = Some((angle, span));
-        } else {
+        if curved {
             camera.angle = angle.to_radians();
+        } else {
+            items.angle = Some((angle, span));
         }
         Ok(())
     }
@@ -233,9 +236,10 @@ impl Parser {
                 let two = self.accept_punct(Punct::Comma)? || self.at_expression()?;
                 (blur.min_samples, blur.max_samples) =
                     if two { (first, self.float()?.max(0.0) as u32) } else { (0, first) };
-                if blur.max_samples == 0 {
-                    return Err(Box::new(Diagnostic::error(self.last, "focal blur needs samples")));
-                }
+                let (least, most) = (blur.min_samples, blur.max_samples);
+                self.demand(most > 0, self.last_span(), "focal blur needs samples")?;
+                let text = "focal blur has fewer samples at most than at least";
+                self.demand(least <= most, self.last_span(), text)?;
             }
             Keyword::Confidence => {
                 self.next()?;

@@ -26,11 +26,18 @@ impl Parser {
         Ok(())
     }
 
+    pub(super) fn importance(&mut self) -> Result<f32> {
+        let span = self.peek()?.span;
+        let value = self.float()?;
+        self.demand(value > 0.0 && value <= 1.0, span, "`importance` is above 0 and at most 1")?;
+        Ok(value as f32)
+    }
+
     /// `{ importance f }`.
     fn default_importance(&mut self) -> Result<()> {
         self.expect_punct(Punct::LeftBrace)?;
         while self.accept(Keyword::Importance)? {
-            self.scene.scene.globals.importance = self.float()? as f32;
+            self.scene.scene.globals.importance = self.importance()?;
         }
         self.expect_punct(Punct::RightBrace).map(|_| ())
     }

@@ -156,7 +156,7 @@ impl Parser {
         let mut read = Reflection { min, max, falloff: 1.0, fresnel: false, ..reflection.clone() };
         while let Tok::Word(word) = self.peek()?.tok {
             match word {
-                Keyword::Fresnel => read.fresnel = self.next().and_then(|_| self.flag())?,
+                Keyword::Fresnel => read.fresnel = self.next().and_then(|_| self.fresnel_flag())?,
                 Keyword::Falloff => read.falloff = self.next().and_then(|_| self.float())? as f32,
                 Keyword::Exponent => read.power = self.next().and_then(|_| self.reciprocal())?,
                 Keyword::Metallic => read.metallic = self.next().and_then(|_| self.optional_number(1.0))?,
@@ -170,6 +170,17 @@ impl Parser {
         self.expect_punct(Punct::RightBrace)?;
         *reflection = read;
         Ok(())
+    }
+
+    /// On, off, or left away; an old way of writing it has an index of refraction here.
+    fn fresnel_flag(&mut self) -> Result<bool> {
+        if !self.at_expression()? {
+            return Ok(true);
+        }
+        let span = self.peek()?.span;
+        let value = self.float()?.trunc();
+        self.demand(value == 0.0 || value == 1.0, span, "`fresnel` is on or off")?;
+        Ok(value > 0.0)
     }
 
     fn subsurface(&mut self, finish: &mut Finish) -> Result<()> {

@@ -90,7 +90,11 @@ impl Parser {
                 self.scene.noise_given = true;
             }
             Keyword::NumberOfWaves => {
-                self.scene.scene.globals.number_of_waves = self.float()?.clamp(0.0, MOST_WAVES) as usize;
+                let number = self.float()?;
+                if number < 1.0 {
+                    self.warn(Diagnostic::warning(span, "`number_of_waves` must be above 0: 1 is taken"));
+                }
+                self.scene.scene.globals.number_of_waves = number.clamp(1.0, MOST_WAVES) as usize;
             }
             _ => return Ok(false),
         }
@@ -149,7 +153,13 @@ impl Parser {
                 Keyword::Count => {
                     r.count = self.whole(1.0, f64::from(u32::MAX))?;
                     let pool = if self.accept_punct(Punct::Comma)? { Some(self.float()?) } else { None };
-                    r.pool = pool.map_or(1600, |p| p.max(1.0) as u32).max(r.count);
+                    let enough = pool.is_none_or(|p| p.trunc() >= f64::from(r.count));
+                    self.demand(
+                        enough,
+                        self.last_span(),
+                        "the pool of directions is smaller than the count",
+                    )?;
+                    r.pool = pool.map_or(1600, |p| p as u32).max(r.count);
                 }
                 Keyword::NearestCount => {
                     r.nearest_count = self.whole(1.0, 20.0)?;
@@ -173,9 +183,8 @@ impl Parser {
             let text = "the pretrace of radiosity starts at 1 or below, and ends there or below";
             return Err(Box::new(Diagnostic::error(span, text)));
         }
-        if maximum.is_some_and(|m| m <= 0.0) {
-            return Err(Box::new(Diagnostic::error(span, "`maximum_reuse` must be above 0")));
-        }
+        self.demand(maximum.is_none_or(|m| m > 0.0), span, "`maximum_reuse` must be above 0")?;
+        self.demand(minimum.is_none_or(|m| m >= 0.0), span, "`minimum_reuse` must not be negative")?;
         set_reuse(&mut r, minimum, maximum).map_err(|text| Box::new(Diagnostic::error(span, text)))?;
         Ok(r)
     }
@@ -267,27 +276,36 @@ impl Parser {
                 p.gather_min = self.float()?.max(0.0) as u32;
                 self.comma()?;
                 p.gather_max = self.float()?.max(0.0) as u32;
-                if p.gather_min > p.gather_max {
-                    let text = "photons are gathered from a smaller number to a larger one";
-                    return Err(Box::new(Diagnostic::error(span, text)));
-                }
+                let text = "photons are gathered from a smaller number to a larger one";
+                self.demand(p.gather_min <= p.gather_max, span, text)?;
             }
             Keyword::Radius => self.photon_radius(p)?,
             Keyword::ExpandThresholds => {
                 p.expand_increase = self.float()?;
                 self.comma()?;
-                p.expand_min = self.float()?.max(0.0) as u32;
+                let least = self.float()?;
+                if least < 0.0 {
+                    let text = "photons are not fewer than 0: 0 is taken";
+                    self.warn(Diagnostic::warning(self.last_span(), text));
+                }
+                p.expand_min = least.max(0.0) as u32;
             }
             Keyword::Autostop => p.autostop = self.float()?,
             Keyword::Jitter => p.jitter = self.float()?,
             Keyword::Media => {
-                p.media_steps = self.float()?.max(0.0) as u32;
+                let steps = self.float()?.trunc();
+                self.demand(steps >= 0.0, self.last_span(), "photons take no negative number of steps")?;
+                p.media_steps = steps as u32;
                 if self.accept_punct(Punct::Comma)? {
                     p.media_factor = self.float()?;
+                    self.demand(p.media_factor > 0.0, self.last_span(), "steps of photons must be above 0")?;
                 }
             }
-            // 0 stands for the scene's own.
-            Keyword::MaxTraceLevel => p.max_trace_level = Some(self.whole(0.0, 256.0)?).filter(|n| *n > 0),
+            // 0 and less stand for the scene's own.
+            Keyword::MaxTraceLevel => {
+                let level = self.float()?.clamp(0.0, 256.0) as u32;
+                p.max_trace_level = Some(level).filter(|n| *n > 0);
+            }
             Keyword::AdcBailout => p.adc_bailout = Some(self.float()? as f32),
             Keyword::LoadFile => p.load = Some(self.photon_file(span)?),
             Keyword::SaveFile => {
@@ -337,7 +355,7 @@ impl Parser {
                 Tok::Word(Keyword::Samples) => {
                     s.diffuse_samples = self.whole(0.0, f64::from(u32::MAX))?.max(1);
                     self.comma()?;
-                    s.single_samples = self.whole(0.0, f64::from(u32::MAX))?.max(1);
+                    s.single_samples = (self.float()? as u32).max(1);
                 }
                 Tok::Word(Keyword::Radiosity) => s.radiosity = self.flag()?,
                 _ => return Err(self.not_a_setting(token, "subsurface")),

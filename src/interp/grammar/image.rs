@@ -215,7 +215,7 @@ impl Parser {
             }
             return Ok(());
         }
-        let index = self.float()?;
+        let index = self.float()?.trunc();
         self.comma()?;
         let value = self.float()? as f32;
         if map.palette.is_empty() {

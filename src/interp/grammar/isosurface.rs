@@ -40,6 +40,10 @@ impl Parser {
             }
             Keyword::MaxTrace => {
                 let count = self.positive_setting(surface.max_trace as f64)?;
+                if !(1.0..MOST_CROSSINGS + 1.0).contains(&count) {
+                    let text = format!("`max_trace` is from 1 to {MOST_CROSSINGS}");
+                    self.warn(Diagnostic::warning(self.last_span(), text));
+                }
                 surface.max_trace = count.clamp(1.0, MOST_CROSSINGS) as usize;
             }
             Keyword::AllIntersections => {

@@ -58,22 +58,22 @@ impl Parser {
                 self.next()?;
                 let span = self.peek()?.span;
                 media.method = self.whole_number(1)?;
-                if media.method > 3 {
-                    let text = "media are sampled by the methods 1, 2 and 3";
-                    return Err(Box::new(Diagnostic::error(span, text)));
-                }
+                self.demand(media.method <= 3, span, "media are sampled by the methods 1, 2 and 3")?;
             }
-            Keyword::AaLevel => media.aa_level = self.next().and_then(|_| self.whole_number(0))?,
+            Keyword::AaLevel => media.aa_level = self.next().and_then(|_| self.whole_number(1))?,
             Keyword::Jitter => media.jitter = self.next().and_then(|_| self.float())? as f32,
-            Keyword::AaThreshold => media.aa_threshold = self.next().and_then(|_| self.float())? as f32,
+            Keyword::AaThreshold => {
+                self.next()?;
+                let span = self.peek()?.span;
+                media.aa_threshold = self.float()? as f32;
+                self.demand(media.aa_threshold > 0.0, span, "`aa_threshold` must be above 0")?;
+            }
             Keyword::Confidence => {
                 self.next()?;
                 let span = self.peek()?.span;
                 media.confidence = self.float()? as f32;
-                if !(0.0..1.0).contains(&media.confidence) {
-                    let text = "confidence is from 0 to less than 1";
-                    return Err(Box::new(Diagnostic::error(span, text)));
-                }
+                let inside = (0.0..1.0).contains(&media.confidence);
+                self.demand(inside, span, "confidence is from 0 to less than 1")?;
             }
             Keyword::Variance => media.variance = self.next().and_then(|_| self.float())? as f32,
             Keyword::Ratio => media.ratio = self.next().and_then(|_| self.float())? as f32,
@@ -105,7 +105,10 @@ impl Parser {
         self.comma()?;
         media.scattering = self.rgb()?;
         loop {
+            let span = self.peek()?.span;
             if self.accept(Keyword::Eccentricity)? {
+                let text = "`eccentricity` goes with scattering of type 5 alone";
+                self.demand(media.scattering_type == 5, span, text)?;
                 media.eccentricity = self.float()? as f32;
             } else if self.accept(Keyword::Extinction)? {
                 media.extinction = self.float()? as f32;

@@ -123,7 +123,7 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             self.expect(Keyword::Importance)?;
-            object.importance = Some(self.float()? as f32);
+            object.importance = Some(self.importance()?);
         }
         Ok(())
     }

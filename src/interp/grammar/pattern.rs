@@ -146,13 +146,13 @@ impl Parser {
     /// `V`, or `{ V | point_at Q [, low, high] [altitude W [, low, high]] }`.
     fn slope(&mut self) -> Result<Slope> {
         if !self.accept_punct(Punct::LeftBrace)? {
-            let direction = SlopeDirection::Along(self.vector()?);
+            let direction = self.slope_direction()?;
             return Ok(Slope { direction, low: 0.0, high: 0.0, altitude: None });
         }
         let direction = if self.accept(Keyword::PointAt)? {
             SlopeDirection::PointAt(self.vector()?)
         } else {
-            SlopeDirection::Along(self.vector()?)
+            self.slope_direction()?
         };
         let (low, high) = self.slope_range()?;
         let mut slope = Slope { direction, low, high, altitude: None };
@@ -222,13 +222,35 @@ impl Parser {
         Ok(f64::from(self.float()? as f32))
     }
 
+    fn slope_direction(&mut self) -> Result<SlopeDirection> {
+        let span = self.peek()?.span;
+        let direction = self.vector()?;
+        self.demand(direction != Vec3::ZERO, span, "a slope needs a direction")?;
+        Ok(SlopeDirection::Along(direction))
+    }
+
+    /// How a fractal is colored inside or outside, and a factor.
+    fn coloring(&mut self, word: Keyword) -> Result<(u32, f64)> {
+        let span = self.peek()?.span;
+        let kind = self.float()?.trunc();
+        let most = if word == Keyword::Interior { 6.0 } else { 8.0 };
+        let text = format!("`{}` has the types 0 to {most}", word.text());
+        self.demand((0.0..=most).contains(&kind), span, &text)?;
+        self.comma()?;
+        if self.at_expression()? {
+            return Ok((kind as u32, self.float()?));
+        }
+        let text = format!("`{}` has no factor: 1 is taken", word.text());
+        self.lenient(Diagnostic::warning(self.last_span(), text))?;
+        Ok((kind as u32, 1.0))
+    }
+
     fn noise_generator(&mut self) -> Result<u32> {
         let token = self.peek()?;
         let n = self.float()?;
-        if (0.0..4.0).contains(&n) {
-            return Ok(n as u32);
-        }
-        Err(Box::new(Diagnostic::error(token.span, "noise generators have the numbers 1 to 3")))
+        let text = "noise generators have the numbers 1 to 3";
+        self.demand((0.0..4.0).contains(&n.trunc()), token.span, text)?;
+        Ok(n as u32)
     }
 
     /// `octaves`, `omega` or `lambda`, which comes.
@@ -283,9 +305,7 @@ impl Parser {
             Keyword::Coords => Modifier::Coords(self.float()?),
             Keyword::Exponent => Modifier::Exponent(self.fractal_exponent()?),
             Keyword::Exterior | Keyword::Interior => {
-                let kind = self.small_number()?;
-                self.comma()?;
-                let factor = if self.at_expression()? { self.float()? } else { 1.0 };
+                let (kind, factor) = self.coloring(word)?;
                 if word == Keyword::Exterior {
                     Modifier::Exterior(kind, factor)
                 } else {
