@@ -15,10 +15,12 @@ mod range;
 mod ray;
 mod shaft;
 mod spline;
+#[cfg(test)]
+pub mod strategy;
 mod transform;
 
 pub use aabb::Aabb;
-pub use accelerator::Accelerator;
+pub use accelerator::{Accelerator, AnyHit};
 pub use range::Range;
 pub use ray::Ray;
 pub use shaft::Shaft;

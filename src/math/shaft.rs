@@ -63,11 +63,8 @@ impl Shaft {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::strategy::vector;
     use proptest::prelude::*;
-
-    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-        (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]

@@ -174,12 +174,8 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::strategy::vector;
     use proptest::prelude::*;
-
-    #[inline]
-    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-        (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-    }
 
     /// Factors from 1/1000 to 1000, of either sign.
     fn factor() -> impl Strategy<Value = f64> {

@@ -3,7 +3,7 @@
 use super::probe::{Probe, Reach};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::grid::Grid;
-use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
+use crate::math::{Aabb, Accelerator, AnyHit, Range, Ray, Vec3};
 
 /// What a scene's finite objects are kept in. Pictures do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,6 +86,18 @@ impl List {
     }
 }
 
+impl AnyHit for List {
+    #[inline]
+    fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
+        if self.boxes.is_empty() {
+            return false;
+        }
+        let probe = Probe::new(ray);
+        let meets = |reach: &Reach| probe.meets(reach, range);
+        self.boxes.iter().enumerate().any(|(i, reach)| reach.as_ref().is_none_or(meets) && visit(i as u32))
+    }
+}
+
 impl Accelerator for List {
     #[inline]
     fn traverse(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
@@ -103,16 +115,6 @@ impl Accelerator for List {
                 }
             }
         }
-    }
-
-    #[inline]
-    fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
-        if self.boxes.is_empty() {
-            return false;
-        }
-        let probe = Probe::new(ray);
-        let meets = |reach: &Reach| probe.meets(reach, range);
-        self.boxes.iter().enumerate().any(|(i, reach)| reach.as_ref().is_none_or(meets) && visit(i as u32))
     }
 
     fn any_at(&self, _: Vec3, visit: impl FnMut(u32) -> bool) -> bool {

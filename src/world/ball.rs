@@ -91,12 +91,9 @@ impl Ball {
 mod tests {
     use super::*;
     use crate::math::Transform;
+    use crate::math::strategy::vector;
     use crate::shape::{Crossing, Sphere};
     use proptest::prelude::*;
-
-    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-        (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]

@@ -4,7 +4,7 @@ use super::accel::Finite;
 use super::geometry::{Geometry, Item};
 use super::hit::RayClass;
 use super::probe::{Probe, Reach};
-use crate::math::{Accelerator, Range, Ray, Shaft, Vec3};
+use crate::math::{AnyHit, Range, Ray, Shaft};
 use std::cell::{Cell, OnceCell};
 
 /// More objects are better sought ray by ray.
@@ -28,12 +28,7 @@ impl Between {
 }
 
 /// The finite objects, all of them: they have been chosen already.
-impl Accelerator for Between {
-    fn traverse(&self, _: &Ray, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
-        let mut max = range.max;
-        self.finite.iter().for_each(|&(place, _)| max = visit(place, max));
-    }
-
+impl AnyHit for Between {
     #[inline]
     fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
         let probe = OnceCell::new();
@@ -49,14 +44,6 @@ impl Accelerator for Between {
             i += 1;
         }
         false
-    }
-
-    fn any_at(&self, _: Vec3, mut visit: impl FnMut(u32) -> bool) -> bool {
-        self.finite.iter().any(|&(place, _)| visit(place))
-    }
-
-    fn heap_bytes(&self) -> usize {
-        size_of_val(&self.finite[..]) + size_of_val(&self.infinite[..])
     }
 }
 

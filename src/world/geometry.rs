@@ -2,9 +2,8 @@
 
 use super::accel::{Accel, Finite};
 use super::ball::{Ball, Met};
-use super::between::Between;
 use super::compound::Compound;
-use super::hit::{InteriorId, Obstacle, RayClass};
+use super::hit::{InteriorId, RayClass};
 use super::placement::Placement;
 use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
@@ -86,14 +85,14 @@ pub(super) struct Geometry {
     pub infinite: Vec<Item>,
     /// The finite roots by place once more, if most of them are spheres: a ray that misses one touches
     /// nothing else of it.
-    balls: Vec<Ball>,
+    pub balls: Vec<Ball>,
 }
 
 /// A root as rays look at it first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
     pub root: u32,
-    solid: Solid,
+    pub solid: Solid,
     /// As in [`Root`].
     pub hidden: u8,
     /// Stops light and casts shadows.
@@ -119,8 +118,8 @@ impl Item {
 }
 
 /// The best crossing so far, the root that it belongs to, and the bit of roots that are not seen.
-struct Nearest {
-    found: Option<Found>,
+pub(super) struct Nearest {
+    pub found: Option<Found>,
     root: u32,
     hidden: u8,
     /// The crossing is a ball's: its distance in the shape's units is not worked out yet.
@@ -128,7 +127,7 @@ struct Nearest {
 }
 
 impl Nearest {
-    fn of(class: RayClass) -> Nearest {
+    pub fn of(class: RayClass) -> Nearest {
         Nearest { found: None, root: NONE, hidden: class.bit(), of_ball: false }
     }
 
@@ -240,7 +239,7 @@ impl Geometry {
 
     /// Takes a root into `best` if it is crossed nearer; the new end of the range.
     #[inline]
-    fn nearer(&self, best: &mut Nearest, item: &Item, ray: &Ray, range: Range) -> f64 {
+    pub fn nearer(&self, best: &mut Nearest, item: &Item, ray: &Ray, range: Range) -> f64 {
         if item.hidden & best.hidden != 0 {
             return range.max;
         }
@@ -253,109 +252,6 @@ impl Geometry {
                 found.t.min(range.max)
             }
             None => range.max,
-        }
-    }
-
-    /// A plane's normal and distance in the world, if the item is one and stands as it was made.
-    pub fn half_space(&self, item: &Item) -> Option<(Vec3, f64)> {
-        let Solid::Leaf(i) = item.solid else { return None };
-        let leaf = &self.leaves[i as usize];
-        leaf.shape.half_space().filter(|_| leaf.place.is_none())
-    }
-
-    /// [`Geometry::obstacle`] for a ray in a shaft.
-    pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Found> {
-        let mut nobody = NONE;
-        self.obstacle_among(between, &between.infinite, ray, range, &mut nobody)
-    }
-
-    /// What stands in the way of light inside `range`. `last` remembers which opaque finite object did by
-    /// its place, and it is asked first: neighbouring rays are mostly stopped by the same object.
-    pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
-        match &self.search {
-            Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last),
-            _ => self.obstacle_treeless(ray, range, last),
-        }
-    }
-
-    #[inline(never)]
-    fn obstacle_treeless(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
-        match &self.search {
-            Finite::Tree(_) => Obstacle::None,
-            Finite::Grid(grid) => self.obstacle_past(grid, ray, range, last),
-            Finite::List(list) => self.obstacle_past(list, ray, range, last),
-        }
-    }
-
-    /// The object that stopped the last ray, then all others.
-    #[inline(always)]
-    fn obstacle_past(
-        &self,
-        finite: &impl Accelerator,
-        ray: &Ray,
-        range: Range,
-        last: &mut u32,
-    ) -> Obstacle<Found> {
-        if *last != NONE && self.is_met_at(*last, ray, range) {
-            return Obstacle::Opaque;
-        }
-        self.obstacle_among(finite, &self.infinite, ray, range, last)
-    }
-
-    /// Whether the finite object at a place is met.
-    #[inline]
-    fn is_met_at(&self, place: u32, ray: &Ray, range: Range) -> bool {
-        let meets = || self.meets(self.finite[place as usize].solid, ray, range);
-        match self.balls.get(place as usize).map(|ball| ball.meet(ray, range)) {
-            Some(Met::Nothing) => false,
-            Some(Met::Sphere(t)) => t < range.max,
-            Some(Met::Perhaps) | None => meets(),
-        }
-    }
-
-    /// Leaves the finite object `last` out, which has been asked, and notes another one there that stops the ray.
-    #[inline(always)]
-    fn obstacle_among(
-        &self,
-        finite: &impl Accelerator,
-        infinite: &[Item],
-        ray: &Ray,
-        range: Range,
-        last: &mut u32,
-    ) -> Obstacle<Found> {
-        let skipped = *last;
-        let mut filter = Nearest::of(RayClass::Filtered);
-        let mut max = range.max;
-        // Whether it is met may be known already.
-        let mut stops = |item: &Item, place: u32, met: Option<bool>| {
-            if !item.shades {
-                max = self.nearer(&mut filter, item, ray, Range::new(range.min, max));
-                return false;
-            }
-            let skips = place == skipped && place != NONE;
-            let stopped = !skips && met.unwrap_or_else(|| self.meets(item.solid, ray, range));
-            if stopped {
-                *last = place;
-            }
-            stopped
-        };
-        let stopped = infinite.iter().any(|item| stops(item, NONE, None))
-            || if self.balls.is_empty() {
-                finite.any(ray, range, |place| stops(&self.finite[place as usize], place, None))
-            } else {
-                finite.any(ray, range, |place| {
-                    let met = match self.balls[place as usize].meet(ray, range) {
-                        Met::Nothing => return false,
-                        Met::Sphere(t) => Some(t < range.max),
-                        Met::Perhaps => None,
-                    };
-                    stops(&self.finite[place as usize], place, met)
-                })
-            };
-        match (stopped, filter.found) {
-            (true, _) => Obstacle::Opaque,
-            (false, Some(found)) => Obstacle::Filter(found),
-            (false, None) => Obstacle::None,
         }
     }
 

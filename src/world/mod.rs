@@ -12,6 +12,7 @@ mod flatten;
 mod geometry;
 mod hit;
 mod intersection;
+mod obstacle;
 mod placement;
 mod probe;
 mod query;

@@ -144,11 +144,8 @@ fn exact_length(m: &DMat3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::strategy::vector;
     use proptest::prelude::*;
-
-    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-        (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-    }
 
     proptest! {
         #[test]

@@ -7,15 +7,12 @@ use super::hit::{Obstacle, RayClass};
 use super::probe::Probe;
 use super::scratch::with_lists;
 use super::{Accel, ObjectQuery};
+use crate::math::strategy::vector;
 use crate::math::{Range, Ray, Transform, Vec3};
 use crate::scene::{Body, CsgOp, Object};
 use crate::shape::{Cuboid, Plane, Shape, Sphere};
 use proptest::prelude::*;
 use std::sync::Arc;
-
-fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-    (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-}
 
 fn shape(s: impl Shape + 'static) -> Object {
     Object::new(Body::Shape(Arc::new(s)))

@@ -18,7 +18,7 @@ mod traverse;
 #[cfg(target_arch = "x86_64")]
 mod wide;
 
-use super::{Aabb, Accelerator, Range, Ray, Vec3};
+use super::{Aabb, Accelerator, AnyHit, Range, Ray, Vec3};
 
 pub use build::Quality;
 
@@ -147,16 +147,18 @@ impl Bvh {
     }
 }
 
+impl AnyHit for Bvh {
+    #[inline(always)]
+    fn any(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> bool) -> bool {
+        Bvh::any(self, ray, range, visit)
+    }
+}
+
 /// Nearer boxes come first.
 impl Accelerator for Bvh {
     #[inline(always)]
     fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
         Bvh::traverse(self, ray, range, visit);
-    }
-
-    #[inline(always)]
-    fn any(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> bool) -> bool {
-        Bvh::any(self, ray, range, visit)
     }
 
     fn any_at(&self, p: Vec3, visit: impl FnMut(u32) -> bool) -> bool {

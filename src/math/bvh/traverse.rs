@@ -270,16 +270,50 @@ fn packed(distance: f32, child: u32) -> u64 {
     u64::from(distance.to_bits()) << 32 | u64::from(child)
 }
 
-/// Distances from which on children are worth opening.
-#[inline(always)]
-pub(super) fn tree_start(bvh: &Bvh, s: &Setup, range: Range) -> f32 {
-    let start = ((range.min - s.advance) * bvh.scale) as f32;
-    if start > 0.0 { start } else { 0.0 }
+/// What is left of a ray's range, also in the tree's units, a little wider.
+pub(super) struct InTree {
+    min: f64,
+    max: f64,
+    /// From here on children are worth opening,
+    pub start: f32,
+    /// and up to here.
+    pub limit: f32,
 }
 
-/// Distances up to which children are worth opening.
+impl InTree {
+    #[inline(always)]
+    pub fn new(bvh: &Bvh, s: &Setup, range: Range) -> InTree {
+        let start = ((range.min - s.advance) * bvh.scale) as f32;
+        let start = if start > 0.0 { start } else { 0.0 };
+        InTree { min: range.min, max: range.max, start, limit: limit(bvh, s, range.max) }
+    }
+
+    /// Shows a leaf's primitives to `visit`; false once the search is over.
+    #[inline(always)]
+    pub fn visit_leaf(
+        &mut self,
+        bvh: &Bvh,
+        s: &Setup,
+        leaf: u32,
+        visit: &mut impl FnMut(u32, f64) -> f64,
+    ) -> bool {
+        for i in leaf_places(leaf) {
+            let closer = visit(bvh.primitive(i), self.max);
+            if closer < self.max {
+                self.max = closer;
+                if closer <= self.min {
+                    return false;
+                }
+                self.limit = limit(bvh, s, closer);
+            }
+        }
+        true
+    }
+}
+
+/// A distance in the tree's units, rounded up.
 #[inline(always)]
-pub(super) fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
+fn limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
     let distance = ((max - s.advance) * bvh.scale) as f32;
     distance * (1.0 + 2.0 * SLACK) + f32::MIN_POSITIVE
 }
@@ -287,26 +321,17 @@ pub(super) fn tree_limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
 /// The traversal without wide registers.
 fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
     let mut stack = Stack(SmallVec::new());
-    let mut max = range.max;
-    let tree_min = tree_start(bvh, s, range);
-    let mut limit = tree_limit(bvh, s, max);
+    let mut reach = InTree::new(bvh, s, range);
     let mut near = [0f32; WIDTH];
     let mut entry = 0u32;
     loop {
         if entry & LEAF != 0 {
-            for i in leaf_places(entry) {
-                let closer = visit(bvh.primitive(i), max);
-                if closer < max {
-                    max = closer;
-                    if max <= range.min {
-                        return;
-                    }
-                    limit = tree_limit(bvh, s, max);
-                }
+            if !reach.visit_leaf(bvh, s, entry, &mut visit) {
+                return;
             }
         } else {
             let node = &bvh.nodes[entry as usize];
-            let mut mask = slabs(node, s, tree_min, limit, &mut near);
+            let mut mask = slabs(node, s, reach.start, reach.limit, &mut near);
             let bottom = stack.0.len();
             while mask != 0 {
                 let i = mask.trailing_zeros() as usize;
@@ -316,7 +341,7 @@ fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl
                 if SORTED { stack.insert(item, bottom) } else { stack.0.push(item) }
             }
         }
-        match stack.next(limit) {
+        match stack.next(reach.limit) {
             Some(next) => entry = next,
             None => return,
         }

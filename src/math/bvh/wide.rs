@@ -1,8 +1,8 @@
 //! The traversal with eight boxes in one register. What happens at a node hangs on few conditions that a
 //! processor could guess wrong: the nearest child is opened next, and the others are set aside all at once.
 
-use super::traverse::{Planes, Setup, tree_limit, tree_start};
-use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
+use super::traverse::{InTree, Planes, Setup};
+use super::{Bvh, LEAF, Node, WIDTH};
 use crate::math::Range;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
@@ -173,15 +173,13 @@ fn walk_in<const SORTED: bool>(
     mut waiting: Waiting,
     mut visit: impl FnMut(u32, f64) -> f64,
 ) {
-    let mut max = range.max;
-    let tree_min = tree_start(bvh, s, range);
-    let mut limit = tree_limit(bvh, s, max);
+    let mut reach = InTree::new(bvh, s, range);
     let mut entry = 0u32;
     loop {
         let ray = widened(s);
         while entry & LEAF == 0 {
             let node = &bvh.nodes[entry as usize];
-            let met = slabs(node, &ray, tree_min, limit);
+            let met = slabs(node, &ray, reach.start, reach.limit);
             if met.mask & met.mask.wrapping_sub(1) == 0 && met.mask != 0 {
                 entry = node.child[met.mask.trailing_zeros() as usize];
             } else if met.mask != 0 {
@@ -189,23 +187,16 @@ fn walk_in<const SORTED: bool>(
                 entry = node.child[next as usize];
                 waiting.push(met.mask & !(1 << next), met.near, node);
             } else {
-                match waiting.next(limit) {
+                match waiting.next(reach.limit) {
                     Some(next) => entry = next,
                     None => return,
                 }
             }
         }
-        for i in leaf_places(entry) {
-            let closer = visit(bvh.primitive(i), max);
-            if closer < max {
-                max = closer;
-                if max <= range.min {
-                    return;
-                }
-                limit = tree_limit(bvh, s, max);
-            }
+        if !reach.visit_leaf(bvh, s, entry, &mut visit) {
+            return;
         }
-        match waiting.next(limit) {
+        match waiting.next(reach.limit) {
             Some(next) => entry = next,
             None => return,
         }

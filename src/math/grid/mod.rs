@@ -13,7 +13,7 @@
 //! J. Cleary, G. Wyvill, "Analysis of an algorithm for fast ray tracing using uniform space subdivision",
 //! The Visual Computer 4 (1988).
 
-use super::{Aabb, Accelerator, Range, Ray, Vec3};
+use super::{Aabb, Accelerator, AnyHit, Range, Ray, Vec3};
 
 /// How far from a cell's sides boxes are still listed, in widths of a cell.
 const PAD: f64 = 1e-3;
@@ -247,12 +247,7 @@ impl Walk {
     }
 }
 
-impl Accelerator for Grid {
-    #[inline]
-    fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
-        self.walk(ray, range, visit);
-    }
-
+impl AnyHit for Grid {
     #[inline]
     fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
         let mut found = false;
@@ -261,6 +256,13 @@ impl Accelerator for Grid {
             if found { f64::NEG_INFINITY } else { max }
         });
         found
+    }
+}
+
+impl Accelerator for Grid {
+    #[inline]
+    fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+        self.walk(ray, range, visit);
     }
 
     fn any_at(&self, p: Vec3, mut visit: impl FnMut(u32) -> bool) -> bool {
