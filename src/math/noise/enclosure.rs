@@ -95,54 +95,60 @@ fn in_cell(kind: &Kind, part: &Aabb, corner: Vec3) -> (Range, [Range; 3]) {
         let range = [part.min[i] - corner[i], part.max[i] - corner[i]].map(|f| f.clamp(0.0, 1.0));
         (range[0], range[1])
     });
-    let weights: [[Range; 2]; 3] = places.map(|(lo, hi)| {
-        let (a, b) = (fade(lo), fade(hi));
-        [(1.0 - b, 1.0 - a), (a, b)]
-    });
+    // The least weights of the lower and the upper end of each axis.
+    let weights = places.map(|(lo, hi)| [1.0 - fade(hi), fade(lo)]);
     let values: [Range; 8] = std::array::from_fn(|c| form_range(&forms[c], c, &places));
-    let weight = |c: usize, axes: &[usize]| {
-        axes.iter().fold((1.0, 1.0), |w: Range, &i| {
-            let f = weights[i][digit(c, i)];
-            (w.0 * f.0, w.1 * f.1)
-        })
-    };
-    let value = average((0..8).map(|c| (weight(c, &[0, 1, 2]), values[c])));
+    let mut averages = Averages::NONE;
+    for (c, &[_, x, y, z]) in forms.iter().enumerate() {
+        let weight = weights[0][digit(c, 0)] * weights[1][digit(c, 1)] * weights[2][digit(c, 2)];
+        averages.add([weight; 4], [values[c].0, x, y, z], [values[c].1, x, y, z]);
+    }
+    let [value, gradients @ ..] = averages.ranges();
+    let steps = steps(&weights, &values);
     let slopes: [Range; 3] = std::array::from_fn(|axis| {
-        let gradients = average((0..8).map(|c| {
-            let g = forms[c][1 + axis];
-            (weight(c, &[0, 1, 2]), (g, g))
-        }));
-        let others: Vec2 = [(axis + 1) % 3, (axis + 2) % 3];
-        let steps = average((0..8).filter(|&c| digit(c, axis) == 0).map(|c| {
-            let opposite = c | 4 >> axis;
-            let step = (values[opposite].0 - values[c].1, values[opposite].1 - values[c].0);
-            (weight(c, &others), step)
-        }));
-        let rise = fade_slope(places[axis]);
+        let (steps, rise) = (steps[axis], fade_slope(places[axis]));
         let products = [rise.0 * steps.0, rise.1 * steps.0, rise.0 * steps.1, rise.1 * steps.1];
-        let low = products.into_iter().fold(f64::INFINITY, f64::min);
-        let high = products.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        (gradients.0 + low - ROUNDING, gradients.1 + high + ROUNDING)
+        let low = products.into_iter().fold(f64::INFINITY, lower);
+        let high = products.into_iter().fold(f64::NEG_INFINITY, upper);
+        (gradients[axis].0 + low - ROUNDING, gradients[axis].1 + high + ROUNDING)
     });
     let near = around_center(&forms, &places, &slopes);
     ((value.0.max(near.0) - ROUNDING, value.1.min(near.1) + ROUNDING), slopes)
 }
 
+/// The ranges of the differences between the two ends of each axis.
+fn steps(weights: &[[f64; 2]; 3], values: &[Range; 8]) -> [Range; 4] {
+    /// The corners at the lower end of each axis.
+    const LOWER: [[usize; 4]; 3] = [[0, 1, 2, 3], [0, 1, 4, 5], [0, 2, 4, 6]];
+    let mut averages = Averages::NONE;
+    for i in 0..4 {
+        let (mut weight, mut low, mut high) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        for axis in 0..3 {
+            let c = LOWER[axis][i];
+            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+            let opposite = values[c | 4 >> axis];
+            weight[axis] = weights[a][digit(c, a)] * weights[b][digit(c, b)];
+            (low[axis], high[axis]) = (opposite.0 - values[c].1, opposite.1 - values[c].0);
+        }
+        averages.add(weight, low, high);
+    }
+    averages.ranges()
+}
+
 /// The range that follows from the value at the center and the slopes.
 fn around_center(forms: &[[f64; 4]; 8], places: &[Range; 3], slopes: &[Range; 3]) -> Range {
     let center = places.map(|(lo, hi)| 0.5 * (lo + hi));
-    let value: f64 = (0..8)
-        .map(|c| {
-            let weight: f64 = (0..3).map(|i| [1.0 - fade(center[i]), fade(center[i])][digit(c, i)]).product();
-            weight * form_range(&forms[c], c, &center.map(|v| (v, v))).0
-        })
-        .sum();
+    let weights = center.map(|f| [1.0 - fade(f), fade(f)]);
+    let mut value = 0.0;
+    for (c, form) in forms.iter().enumerate() {
+        let weight = weights[0][digit(c, 0)] * weights[1][digit(c, 1)] * weights[2][digit(c, 2)];
+        let terms: [f64; 3] = std::array::from_fn(|i| (center[i] - digit(c, i) as f64) * form[1 + i]);
+        value += weight * (form[0] + terms[0] + terms[1] + terms[2]);
+    }
     let reach: f64 =
         (0..3).map(|i| slopes[i].0.abs().max(slopes[i].1.abs()) * (places[i].1 - center[i])).sum();
     (value - reach, value + reach)
 }
-
-type Vec2 = [usize; 2];
 
 /// Whether a corner lies at the upper end of an axis: 1 or 0.
 fn digit(corner: usize, axis: usize) -> usize {
@@ -155,22 +161,61 @@ fn form_range(form: &[f64; 4], corner: usize, places: &[Range; 3]) -> Range {
     for axis in 0..3 {
         let at = digit(corner, axis) as f64;
         let (a, b) = ((places[axis].0 - at) * form[1 + axis], (places[axis].1 - at) * form[1 + axis]);
-        range = (range.0 + a.min(b), range.1 + a.max(b));
+        range = (range.0 + lower(a, b), range.1 + upper(a, b));
     }
     range
 }
 
-/// The range of an average of values with weights of sum 1, both known to lie in ranges.
-fn average(parts: impl Iterator<Item = (Range, Range)>) -> Range {
-    let (mut sum, mut free) = ((0.0, 0.0), 1.0);
-    let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
-    for (weight, value) in parts {
-        sum = (sum.0 + weight.0 * value.0, sum.1 + weight.0 * value.1);
-        free -= weight.0;
-        ends = (ends.0.min(value.0), ends.1.max(value.1));
+/// The ranges of four averages, side by side, of values with weights of sum 1, both known to lie in ranges.
+struct Averages {
+    low: [f64; 4],
+    high: [f64; 4],
+    /// What the weights' lower ends leave.
+    free: [f64; 4],
+    /// The ends of all values.
+    least: [f64; 4],
+    most: [f64; 4],
+}
+
+impl Averages {
+    const NONE: Self = Self {
+        low: [0.0; 4],
+        high: [0.0; 4],
+        free: [1.0; 4],
+        least: [f64::INFINITY; 4],
+        most: [f64::NEG_INFINITY; 4],
+    };
+
+    /// Adds a value between `low` and `high` with at least this weight.
+    #[inline(always)]
+    fn add(&mut self, weight: [f64; 4], low: [f64; 4], high: [f64; 4]) {
+        for i in 0..4 {
+            self.low[i] += weight[i] * low[i];
+            self.high[i] += weight[i] * high[i];
+            self.free[i] -= weight[i];
+            self.least[i] = lower(self.least[i], low[i]);
+            self.most[i] = upper(self.most[i], high[i]);
+        }
     }
-    let free = f64::max(free, 0.0);
-    (sum.0 + free * ends.0, sum.1 + free * ends.1)
+
+    #[inline(always)]
+    fn ranges(&self) -> [Range; 4] {
+        std::array::from_fn(|i| {
+            let free = f64::max(self.free[i], 0.0);
+            (self.low[i] + free * self.least[i], self.high[i] + free * self.most[i])
+        })
+    }
+}
+
+/// One instruction, as nothing here is NaN.
+#[inline(always)]
+fn lower(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn upper(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
 }
 
 /// The range of the fade's derivative `6 f (1 - f)`.
