@@ -90,16 +90,25 @@ pub(super) enum Callee {
 }
 
 impl Callee {
+    /// The value; of a vector, the first component.
+    #[inline]
+    pub fn number<N: Number>(&self, arguments: &[N]) -> N {
+        match self {
+            Callee::Internal(internal) => internal.value(arguments),
+            Callee::Function(function) => function.number(arguments),
+            Callee::Field(field) => N::field(&**field, [0, 1, 2].map(|i| arguments[i])),
+            Callee::Itself(itself) => itself.number(arguments),
+            Callee::Vector(_) => self.values(arguments)[0],
+        }
+    }
+
     /// The components of the value; a number is the first.
     #[inline]
-    pub fn value<N: Number>(&self, arguments: &[N]) -> [N; 5] {
+    pub fn values<N: Number>(&self, arguments: &[N]) -> [N; 5] {
         let mut values = [N::from(0.0); 5];
         match self {
-            Callee::Internal(internal) => values[0] = internal.value(arguments),
-            Callee::Function(function) => values[0] = function.number(arguments),
-            Callee::Field(field) => values[0] = N::field(&**field, [0, 1, 2].map(|i| arguments[i])),
             Callee::Vector(vector) => N::vector(&**vector, arguments, &mut values),
-            Callee::Itself(itself) => values[0] = itself.number(arguments),
+            _ => values[0] = self.number(arguments),
         }
         values
     }

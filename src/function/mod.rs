@@ -150,7 +150,7 @@ impl Function {
         match &self.body {
             Body::Expression(compiled) if N::RANGES => compiled.on_ranges.run(arguments),
             Body::Expression(compiled) => compiled.on_numbers.run(arguments),
-            Body::Callee(callee) => callee.value(arguments)[0],
+            Body::Callee(callee) => callee.number(arguments),
         }
     }
 

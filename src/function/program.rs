@@ -209,23 +209,42 @@ impl Program {
         file[usize::from(self.result) & (F - 1)]
     }
 
-    fn call<N: Number>(&self, site: CallSite, file: &mut [N]) {
+    #[inline]
+    fn call<N: Number, const F: usize>(&self, site: CallSite, file: &mut [N; F]) {
         let list = &self.lists[site.list as usize..];
         let (given, wanted) = list.split_at(usize::from(site.arguments));
-        let mut few = [N::from(0.0); 12];
-        let many: SmallVec<[N; 16]>;
-        let given = if given.len() <= few.len() {
-            few.iter_mut().zip(given).for_each(|(to, &g)| *to = file[usize::from(g)]);
-            &few[..given.len()]
-        } else {
-            many = given.iter().map(|&g| file[usize::from(g)]).collect();
-            &many[..]
-        };
-        let values = self.callees[usize::from(site.callee)].value(given);
-        for (&to, value) in wanted[..usize::from(site.results)].iter().zip(values) {
-            if to != UNUSED {
-                file[usize::from(to)] = value;
+        let wanted = &wanted[..usize::from(site.results)];
+        let at = |i: u16| file[usize::from(i) & (F - 1)];
+        let callee = &self.callees[usize::from(site.callee)];
+        match *given {
+            // Most calls are about a point.
+            [x, y, z] => give(callee, &[at(x), at(y), at(z)], wanted, file),
+            _ if given.len() <= 8 => {
+                let mut few = [N::from(0.0); 8];
+                few.iter_mut().zip(given).for_each(|(to, &g)| *to = at(g));
+                give(callee, &few[..given.len()], wanted, file);
             }
+            _ => {
+                let many: SmallVec<[N; 16]> = given.iter().map(|&g| at(g)).collect();
+                give(callee, &many, wanted, file);
+            }
+        }
+    }
+}
+
+/// Puts what a call gives into the registers that want it.
+#[inline]
+fn give<N: Number, const F: usize>(callee: &Callee, arguments: &[N], wanted: &[u16], file: &mut [N; F]) {
+    if let [to] = *wanted {
+        let value = callee.number(arguments);
+        if to != UNUSED {
+            file[usize::from(to) & (F - 1)] = value;
+        }
+        return;
+    }
+    for (&to, value) in wanted.iter().zip(callee.values(arguments)) {
+        if to != UNUSED {
+            file[usize::from(to) & (F - 1)] = value;
         }
     }
 }

@@ -146,12 +146,12 @@ fn walk(e: &Expression, node: Node, p: &[f64], counters: &mut HashMap<u32, f64>)
         }
         Term::Call { callee, arguments } => {
             let arguments: Vec<f64> = arguments.iter().map(|a| at(*a)).collect();
-            e.callees[*callee as usize].value(&arguments)[0]
+            e.callees[*callee as usize].values(&arguments)[0]
         }
         Term::Component(call, index) => {
             let Term::Call { callee, arguments } = &e.terms[call.index()] else { unreachable!() };
             let arguments: Vec<f64> = arguments.iter().map(|a| at(*a)).collect();
-            e.callees[*callee as usize].value(&arguments)[usize::from(*index)]
+            e.callees[*callee as usize].values(&arguments)[usize::from(*index)]
         }
     }
 }
