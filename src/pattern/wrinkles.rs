@@ -58,14 +58,7 @@ impl Pattern for Wrinkles {
     }
 
     fn perturb(&self, n: Vec3, amount: f64, p: Vec3, _setting: &Setting) -> Option<Vec3> {
-        let mut noise = [Vec3::ZERO; OCTAVES];
-        vector_octaves(p, 2.0, &mut noise);
-        let (mut sum, mut weight) = (Vec3::ZERO, 1.0);
-        for d in noise {
-            sum += d.abs() * weight;
-            weight *= 0.5;
-        }
-        Some(n + amount * sum)
+        Some(n + amount * vector_octaves(p, [2.0, 0.5], OCTAVES, true))
     }
 }
 

@@ -72,10 +72,11 @@ pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out:
     fastest!(octaves(p, first, lambda, generator, out))
 }
 
-/// Vector noise at `p`, and at `p` scaled by `lambda` more each time.
+/// The sum of `count` octaves, at least one, of vector noise or of its absolute values: each at `p` scaled by `lambda`
+/// more, with `omega` times the weight of the one before.
 #[inline]
-pub fn vector_octaves(p: Vec3, lambda: f64, out: &mut [Vec3]) {
-    fastest!(vector_octaves(p, lambda, out))
+pub fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
+    fastest!(vector_octaves(p, [lambda, omega], count, absolute))
 }
 
 impl NoiseGenerator {
@@ -104,7 +105,7 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 /// Splits a coordinate into the low bits of its floor and the fraction. A whole number may count to the cell
 /// below it, with a fraction of 1: all noise is continuous, and this saves a comparison.
 #[inline(always)]
-fn split(v: f64) -> (u32, f64) {
+pub(crate) fn split(v: f64) -> (u32, f64) {
     let v = if v > -LARGEST { v } else { -LARGEST };
     let v = if v < LARGEST { v } else { LARGEST };
     let sum = (v - 0.5) + ROUND;

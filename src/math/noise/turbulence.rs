@@ -37,16 +37,9 @@ impl Turbulence {
     }
 
     /// The sum of vector noise, `amount` left aside.
+    #[inline]
     pub fn vector(&self, p: Vec3) -> Vec3 {
-        let mut terms = [Vec3::ZERO; MOST_OCTAVES];
-        let terms = &mut terms[..self.count()];
-        vector_octaves(p, self.lambda, terms);
-        let (mut sum, mut weight) = (terms[0], 1.0);
-        for &term in &terms[1..] {
-            weight *= self.omega;
-            sum += weight * term;
-        }
-        sum
+        vector_octaves(p, [self.lambda, self.omega], self.count(), false)
     }
 
     /// How far points are mostly displaced: the root of the mean square.
