@@ -33,7 +33,11 @@ impl Chain {
     /// A point outside to the pattern's own space.
     #[inline]
     pub fn apply(&self, p: Vec3) -> Vec3 {
-        self.warps.iter().rev().fold(p, |p, warp| warp.apply(p))
+        match &self.warps[..] {
+            [] => p,
+            [Warp::Transform(t)] => t.inverse_point(p),
+            warps => warps.iter().rev().fold(p, |p, warp| warp.apply(p)),
+        }
     }
 
     /// The chain as one transformation without its turbulence, and how far that mostly moves a place at the end:

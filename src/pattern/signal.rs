@@ -47,8 +47,48 @@ impl Default for Signal {
     }
 }
 
+/// Patterns are not asked farther out than this.
+const FARTHEST: f64 = 1e17;
+
+#[inline]
+fn within_reach(p: Vec3) -> Vec3 {
+    let is_near = |c: f64| c.abs() <= FARTHEST;
+    if is_near(p.x) && is_near(p.y) && is_near(p.z) {
+        p
+    } else {
+        p.clamp(Vec3::splat(-FARTHEST), Vec3::splat(FARTHEST))
+    }
+}
+
 /// Values wrap around here, not at 1: 1 itself stays, 2 becomes 0.99999.
 const PERIOD: f64 = 1.00001;
+
+/// `v % PERIOD`, to the bit.
+///
+/// Everything that is computed here is a multiple of 2^-52 below 2, thus free of rounding: the period's upper part has
+/// 26 bits and its lower part is a multiple of 2^-52, as are all numbers above 1.
+#[inline]
+fn remainder(v: f64) -> f64 {
+    /// The upper bits of the period, and the others.
+    const PARTS: [f64; 2] = {
+        let high = f64::from_bits(PERIOD.to_bits() & !0x07ff_ffff);
+        [high, PERIOD - high]
+    };
+    const LARGEST: f64 = 16_777_216.0;
+    let size = v.abs();
+    if size < PERIOD {
+        return v;
+    }
+    if !(size < LARGEST) {
+        return v % PERIOD;
+    }
+    let count = f64::from((size * (1.0 / PERIOD)) as i32);
+    let rest = (size - count * PARTS[0]) - count * PARTS[1];
+    // The count may be wrong by one.
+    let rest = if rest < 0.0 { rest + PERIOD } else { rest };
+    let rest = if rest >= PERIOD { rest - PERIOD } else { rest };
+    rest.copysign(v)
+}
 
 impl Signal {
     pub fn new(pattern: Arc<dyn Pattern>) -> Self {
@@ -90,13 +130,13 @@ impl Signal {
     pub fn warp(&self, p: Vec3) -> Vec3 {
         let p = self.chain.apply(p);
         let p = if self.displaced { self.turbulence.displace(p) } else { p };
-        p.clamp(Vec3::splat(-1e17), Vec3::splat(1e17))
+        within_reach(p)
     }
 
     /// The same for a signal whose pattern is not used: averages, images, plain containers.
     #[inline]
     pub fn warp_alone(&self, p: Vec3) -> Vec3 {
-        self.turbulence.displace(self.chain.apply(p)).clamp(Vec3::splat(-1e17), Vec3::splat(1e17))
+        within_reach(self.turbulence.displace(self.chain.apply(p)))
     }
 
     /// The map value at a warped point.
@@ -109,9 +149,7 @@ impl Signal {
     fn shaped(&self, mut v: f64) -> f64 {
         if self.frequency != 0.0 {
             v = v * self.frequency + self.phase;
-            if !(0.0..PERIOD).contains(&v) {
-                v %= PERIOD;
-            }
+            v = remainder(v);
         }
         if v < 0.0 {
             v -= v.floor();
@@ -162,5 +200,32 @@ impl Field for PatternField {
 
     fn depth(&self) -> u32 {
         1 + self.signal.pattern.depth()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn remainders_have_no_rounding() {
+        let mut random = crate::math::random::Lcg::new(7);
+        let odd = [0.0, -0.0, 1.0, PERIOD, -PERIOD, 2.0 * PERIOD, 1e17, -1e300, f64::INFINITY, f64::NAN];
+        let mut values = odd.to_vec();
+        for i in 0..100_000 {
+            let part = f64::from(random.draw()) / 32767.0 + f64::from(random.draw()) / 1e9;
+            values.push((part - 0.5) * [4.0, 100.0, 1e5, 4e7][i % 4]);
+        }
+        for k in 0..3000 {
+            let whole = f64::from(k * 37) * PERIOD;
+            values.extend([whole.next_down(), whole, whole.next_up()]);
+        }
+        for v in values {
+            let (found, right) = (remainder(v), v % PERIOD);
+            assert!(
+                found.to_bits() == right.to_bits() || (found.is_nan() && right.is_nan()),
+                "{v}: {found} {right}"
+            );
+        }
     }
 }
