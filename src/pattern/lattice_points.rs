@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 
 /// The 27 inner cells, those at offsets -1 ..= 1, and a place that stays empty.
-const INNER: usize = 28;
+pub(super) const INNER: usize = 28;
 /// The nine cells two steps away on one side, and places that stay empty.
 const SIDE: usize = 12;
 /// Groups of cells: the inner ones, then the sides -x, +x, -y, +y, -z, +z.
@@ -147,10 +147,15 @@ impl Neighbourhood {
     /// How far `p`, which is in the middle cell, is from the cells of a side at least.
     #[inline]
     pub fn gap(&self, group: usize, p: Vec3) -> f64 {
-        let axis = (group - 1) / 2;
-        let f = p[axis] - self.corner[axis];
-        if group % 2 == 1 { 1.0 + f } else { 2.0 - f }
+        gap_of(group, p - self.corner)
     }
+}
+
+/// How far a point at `f` in the middle cell is from the cells of a side at least.
+#[inline]
+pub(super) fn gap_of(group: usize, f: Vec3) -> f64 {
+    let f = f[(group - 1) / 2];
+    if group % 2 == 1 { 1.0 + f } else { 2.0 - f }
 }
 
 #[cfg(test)]

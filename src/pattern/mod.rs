@@ -27,6 +27,7 @@ mod lattice_points;
 mod leopard;
 mod map;
 mod marble;
+mod nook;
 mod object;
 mod onion;
 mod pavement;
