@@ -71,11 +71,17 @@ struct Cell {
 #[inline(always)]
 pub(super) fn places([ix, iy, iz]: [u32; 3]) -> [u8; 8] {
     const SHIFT: u32 = 10000;
-    let (ix, iy, iz) = (ix.wrapping_add(SHIFT), iy.wrapping_add(SHIFT) & 4095, iz.wrapping_add(SHIFT) & 4095);
-    let (h0, h1) = (hash(ix), hash(ix.wrapping_add(1)));
-    let rows = [hash(h0 ^ iy), hash(h0 ^ (iy + 1)), hash(h1 ^ iy), hash(h1 ^ (iy + 1))];
-    let low = |i: u32| LOW_HASH[(i & 4095) as usize];
-    std::array::from_fn(|c| low(rows[c >> 1] ^ (iz + (c as u32 & 1))))
+    let ends = |i: u32| [i.wrapping_add(SHIFT) & 4095, i.wrapping_add(SHIFT + 1) & 4095];
+    // SAFETY: an index is the exclusive or of numbers below 4096, as the table's entries are, thus below 4096.
+    #[allow(unsafe_code)]
+    let hash = |i: u32| u32::from(unsafe { *HASH.get_unchecked(i as usize) });
+    // SAFETY: the same.
+    #[allow(unsafe_code)]
+    let low = |i: u32| unsafe { *LOW_HASH.get_unchecked(i as usize) };
+    let (x, y, z) = (ends(ix), ends(iy), ends(iz));
+    let (h0, h1) = (hash(x[0]), hash(x[1]));
+    let rows = [hash(h0 ^ y[0]), hash(h0 ^ y[1]), hash(h1 ^ y[0]), hash(h1 ^ y[1])];
+    std::array::from_fn(|c| low(rows[c >> 1] ^ z[c & 1]))
 }
 
 impl Cell {
