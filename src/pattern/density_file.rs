@@ -51,7 +51,8 @@ impl DensityFile {
 
 /// `i` counted around `size`. -1 is 2^64 - 1, which is the last only where the size is a power of two.
 fn wrapped(i: i64, size: usize) -> usize {
-    (i as u64 % size as u64) as usize
+    // Most are inside, and a division takes long.
+    if (i as u64) < size as u64 { i as usize } else { (i as u64 % size as u64) as usize }
 }
 
 /// A cubic curve from `b` to `c`, with the slopes that their neighbours give.
@@ -68,11 +69,11 @@ impl Grid {
     }
 
     fn trilinear(&self, cell: [i64; 3], f: [f32; 3]) -> f32 {
-        let at = |axis: usize, d: i64| wrapped(cell[axis] + d, self.size[axis]);
+        let [xs, ys, zs] = [0, 1, 2].map(|a| [0, 1].map(|d| wrapped(cell[a] + d, self.size[a])));
         let mix = |t: f32, a: f32, b: f32| a + t * (b - a);
-        let along_x = |y, z| mix(f[0], self.sample(at(0, 0), y, z), self.sample(at(0, 1), y, z));
-        let along_y = |z| mix(f[1], along_x(at(1, 0), z), along_x(at(1, 1), z));
-        mix(f[2], along_y(at(2, 0)), along_y(at(2, 1)))
+        let along_x = |y, z| mix(f[0], self.sample(xs[0], y, z), self.sample(xs[1], y, z));
+        let along_y = |z| mix(f[1], along_x(ys[0], z), along_x(ys[1], z));
+        mix(f[2], along_y(zs[0]), along_y(zs[1]))
     }
 
     fn tricubic(&self, cell: [i64; 3], f: [f32; 3]) -> f32 {
