@@ -122,6 +122,16 @@ impl Crackle {
 
     /// The nearest point.
     fn nearest(&self, p: Vec3) -> Vec3 {
+        let power = |d| self.power(d);
+        let known = if self.metric > 0.0 {
+            nook::around(p, self.metric, power, |fours| nearest_of(fours, p, power))
+        } else {
+            None
+        };
+        known.unwrap_or_else(|| self.nearest_around(p))
+    }
+
+    fn nearest_around(&self, p: Vec3) -> Vec3 {
         Neighbourhood::around(cell(p), |cells| {
             let (mut least, mut at) = (f64::INFINITY, p);
             for group in 0..GROUPS {
@@ -320,6 +330,21 @@ fn least_of(fours: &[Four], p: Vec3, power: impl Fn(f64) -> f64 + Copy) -> [f64;
     lists.merged()
 }
 
+/// The nearest of some points.
+#[inline(always)]
+fn nearest_of(fours: &[Four], p: Vec3, power: impl Fn(f64) -> f64) -> Vec3 {
+    let (mut least, mut at) = (f64::INFINITY, p);
+    for [x, y, z] in fours {
+        for i in 0..4 {
+            let sum = power(x[i] - p.x) + power(y[i] - p.y) + power(z[i] - p.z);
+            if sum < least {
+                (least, at) = (sum, Vec3::new(x[i], y[i], z[i]));
+            }
+        }
+    }
+    at
+}
+
 /// Four lists of the three smallest sums, side by side: the smallest of all lists, the second ones, the third ones.
 struct Lists([[f64; 4]; 3]);
 
@@ -419,6 +444,7 @@ mod tests {
                     Neighbourhood::around(cell(p), |cells| least_around(cells, p, |d| crackle.power(d)));
                 let found = crackle.least(p);
                 assert!(found.iter().zip(plain).all(|(a, b)| (a - b).abs() <= 1e-14 * b), "{p}: {metric}");
+                assert_eq!(crackle.nearest(p), crackle.nearest_around(p), "{p}: {metric}");
                 listed += usize::from(nook::around(p, metric, |d| crackle.power(d), |_| ()).is_some());
             }
             assert!(listed > 500, "{listed} at {metric}");
