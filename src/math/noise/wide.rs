@@ -67,9 +67,11 @@ fn weights(f: __m256d) -> [__m256d; 2] {
 }
 
 /// `N` components of lattice noise.
+///
+/// Whoever calls it has a `COPY` of its own, which the compiler then puts in its place.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn sums<const N: usize>(p: __m256d) -> [f64; N] {
+fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [f64; N] {
     let (cell, f) = split(p);
     let places = lattice::places(cell);
     let near = _mm256_blend_pd::<1>(f, _mm256_set1_pd(0.5));
@@ -105,10 +107,10 @@ fn across(v: __m256d) -> f64 {
     _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)))
 }
 
-/// The sum of gradient noise: lane `j` of a vector goes with column (j & 1, j >> 1).
+/// The sum of gradient noise: lane `j` of a vector goes with column (j & 1, j >> 1). `COPY` as above.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn gradient_sum(p: __m256d) -> f64 {
+fn gradient_sum<const COPY: u8>(p: __m256d) -> f64 {
     let (cell, f) = split(_mm256_add_pd(p, _mm256_set1_pd(gradient::SHIFT)));
     let (low, high) = gradient::corners(cell);
     let shift = |x: f64, y: f64, z: f64| _mm256_sub_pd(f, _mm256_setr_pd(0.0, x, y, z));
@@ -152,52 +154,52 @@ fn dots(g: [&[f64; 4]; 4], d: [__m256d; 4]) -> __m256d {
     _mm256_add_pd(_mm256_add_pd(x, y), z)
 }
 
-/// Sums of lattice noise at `p` scaled by `first`, and by `lambda` more each time.
-///
-/// The one place that calls `sums::<1>`, so that it is inlined, as in the two functions below.
-#[target_feature(enable = "avx2")]
-fn lattice_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
-    let mut scale = first;
-    for value in out {
-        [*value] = sums::<1>(_mm256_mul_pd(_mm256_set1_pd(scale), p));
-        scale *= lambda;
-    }
-}
-
-#[target_feature(enable = "avx2")]
-fn gradient_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
-    let mut scale = first;
-    for value in out {
-        *value = gradient_sum(_mm256_mul_pd(_mm256_set1_pd(scale), p));
-        scale *= lambda;
-    }
-}
-
 /// See [`noise`](super::noise).
 #[target_feature(enable = "avx2")]
 pub(super) fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
-    let mut value = [0.0];
-    octaves(p, 1.0, 1.0, generator, &mut value);
-    value[0]
+    let p = place(p);
+    let sum = if generator == NoiseGenerator::Perlin { gradient_sum::<0>(p) } else { sums::<1, 0>(p)[0] };
+    generator.level(sum)
 }
 
 /// See [`octaves`](super::octaves).
 #[target_feature(enable = "avx2")]
 pub(super) fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
+    let p = place(p);
     if generator == NoiseGenerator::Perlin {
-        gradient_octaves(place(p), first, lambda, out);
+        gradient_octaves(p, first, lambda, out);
     } else {
-        lattice_octaves(place(p), first, lambda, out);
+        lattice_octaves(p, first, lambda, out);
     }
     for value in out {
         *value = generator.level(*value);
     }
 }
 
+/// Sums of lattice noise at `p` scaled by `first`, and by `lambda` more each time.
+#[target_feature(enable = "avx2")]
+fn lattice_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
+    let mut scale = first;
+    for value in out {
+        [*value] = sums::<1, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p));
+        scale *= lambda;
+    }
+}
+
+/// The same of gradient noise.
+#[target_feature(enable = "avx2")]
+fn gradient_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
+    let mut scale = first;
+    for value in out {
+        *value = gradient_sum::<1>(_mm256_mul_pd(_mm256_set1_pd(scale), p));
+        scale *= lambda;
+    }
+}
+
 /// See [`vector_noise`](super::vector_noise).
 #[target_feature(enable = "avx2")]
 pub(super) fn vector_noise(p: Vec3) -> Vec3 {
-    vector_octaves(p, [1.0, 1.0], 1, false)
+    Vec3::from_array(sums::<3, 0>(place(p)))
 }
 
 /// See [`vector_octaves`](super::vector_octaves).
@@ -206,7 +208,7 @@ pub(super) fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, a
     let (p, mut scale, mut weight) = (place(p), 1.0, 1.0);
     let mut sum = Vec3::ZERO;
     for octave in 0..count {
-        let term = Vec3::from_array(sums::<3>(_mm256_mul_pd(_mm256_set1_pd(scale), p)));
+        let term = Vec3::from_array(sums::<3, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p)));
         let term = if absolute { term.abs() } else { term };
         sum = if octave == 0 { term } else { sum + weight * term };
         scale *= lambda;
