@@ -33,6 +33,8 @@ fn stage(name: &str) -> Folder {
     let save = "global_settings { assumed_gamma 1 photons { count 10 save_file \"none/x.ph\" } }";
     folder.write("photons.pov", &format!("#version 3.7; {save} {SPHERE}"));
     folder.write("loop.ini", "loop.ini\n");
+    folder.write("minus.ini", "-\n");
+    folder.write("quote.ini", "Output_File_Name=\"o\n");
     folder.write("wrong.ini", "Width=8\nBogus=1\n");
     folder.write("list.txt", "a.pov\n");
     let picture = |name: &str, side: u32, value: u8| {

@@ -21,6 +21,8 @@ sphere { 0, 1 pigment { rgb <1, 0.2, 0.1> } }
 /// A row of the table: a command line, POV-Ray's files, and Glint's files.
 struct Row {
     line: String,
+    /// What stands in `x.ini`.
+    ini: String,
     povray: String,
     glint: String,
 }
@@ -31,9 +33,26 @@ fn rows() -> Vec<Row> {
         let fields: Vec<_> = line.trim_start_matches('!').split('|').map(|f| f.trim().to_owned()).collect();
         assert_eq!(fields.len(), if line.starts_with('!') { 4 } else { 2 }, "{line}");
         let glint = if line.starts_with('!') { &fields[2] } else { &fields[1] };
-        Row { line: fields[0].clone(), povray: fields[1].clone(), glint: glint.clone() }
+        Row { line: fields[0].clone(), ini: String::new(), povray: fields[1].clone(), glint: glint.clone() }
     };
     text.lines().filter(|l| !l.starts_with('#') && !l.is_empty()).map(row).collect()
+}
+
+/// The cases of `povray-ini.txt`.
+fn ini_rows() -> Vec<Row> {
+    let text = include_str!("data/povray-ini.txt");
+    let row = |case: &str| {
+        let (head, rest) = case.split_once('\n').unwrap();
+        let (ini, made) = rest.split_once("---\n").unwrap_or_else(|| panic!("{case}"));
+        let section = head.split_once(" | ").map_or("", |(_, section)| section);
+        let mut made = made.lines();
+        let povray = made.next().unwrap().replace("\\n", "\n");
+        let glint = made.next().filter(|l| l.starts_with('!'));
+        let glint = glint.map_or(povray.clone(), |l| l[1..].split('|').next().unwrap().trim().to_owned());
+        let ini = format!("Input_File_Name=a.pov\nWidth=8\nHeight=6\n{}", ini.replace("\\r", "\r"));
+        Row { line: format!("x.ini{section} -D"), ini, povray, glint }
+    };
+    text.split("=== ").skip(1).map(row).collect()
 }
 
 /// The folder that the command lines of the table speak of.
@@ -52,8 +71,9 @@ fn stage(name: &str) -> Folder {
 }
 
 /// What a command line left: `error`, or its files with what they are.
-fn left(line: &str, number: usize, run: impl Fn(&Folder, &[&str]) -> Output) -> String {
-    let folder = stage(&format!("line-{number}"));
+fn left(line: &str, ini: &str, number: usize, run: impl Fn(&Folder, &[&str]) -> Output) -> String {
+    let folder = stage(&format!("{}-{number}", if ini.is_empty() { "line" } else { "ini" }));
+    folder.write("x.ini", ini);
     let words: Vec<_> = line.split(' ').collect();
     // Once before, so that what belongs to the stage is there.
     let before: BTreeSet<_> =
@@ -119,9 +139,10 @@ fn differing(
     let half = |odd: usize| {
         let mine = rows.iter().enumerate().filter(move |(i, _)| i % 2 == odd);
         let wrong = mine.filter_map(|(i, row)| {
-            let got = left(&row.line, i, &run);
-            (got != expected(row))
-                .then(|| format!("{}\n  expected {}\n  got      {got}", row.line, expected(row)))
+            let got = left(&row.line, &row.ini, i, &run);
+            (got != expected(row)).then(|| {
+                format!("{} {:?}\n  expected {}\n  got      {got}", row.line, row.ini, expected(row))
+            })
         });
         wrong.collect::<Vec<_>>()
     };
@@ -140,11 +161,20 @@ fn command_lines_leave_the_files_of_the_table() {
 }
 
 #[test]
+fn ini_files_mean_what_the_table_says() {
+    let rows = ini_rows();
+    assert!(rows.len() > 250);
+    let wrong = differing(&rows, |row| &row.glint, as_povray);
+    assert!(wrong.is_empty(), "{} lines\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
 fn the_table_is_what_povray_does() {
     if !povray() {
         return;
     }
-    let wrong = differing(&rows(), |row| &row.povray, reference);
+    let all: Vec<Row> = rows().into_iter().chain(ini_rows()).filter(|row| row.povray != "-").collect();
+    let wrong = differing(&all, |row| &row.povray, reference);
     assert!(wrong.is_empty(), "{} lines\n{}", wrong.len(), wrong.join("\n"));
 }
 

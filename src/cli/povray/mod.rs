@@ -33,7 +33,7 @@ pub fn run(words: &[String]) -> Result<Exit, Failure> {
     }
     let mut settings = Settings::default();
     if let Some(ini) = user_ini() {
-        words::read_file(&mut settings, &ini, "", 0)?;
+        words::read_file(&mut settings, &ini, None, 0)?;
         settings.forget_who();
     }
     for word in words {
@@ -143,8 +143,8 @@ fn dither(settings: &Settings) -> Result<Dither, Failure> {
         "B4" => Ok(Dither::Bayer(4)),
         "D1" => Ok(Dither::Diffusion1),
         "D2" => Ok(Dither::Diffusion2),
-        "FS" => Ok(Dither::FloydSteinberg),
-        _ => Err(Failure::usage(format!("Dither_Method={method}: expected B2, B3, B4, D1, D2 or FS"))),
+        // Other names were refused where they were given.
+        _ => Ok(Dither::FloydSteinberg),
     }
 }
 

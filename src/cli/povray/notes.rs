@@ -101,7 +101,8 @@ fn reason(keyword: &str) -> Option<&'static str> {
 
 /// One note for each option that the user gave in vain.
 pub fn of(settings: &Settings) -> Vec<String> {
-    let mut notes: Vec<_> = settings.given().filter_map(|(name, value)| in_vain(name, value)).collect();
+    let mut notes = settings.remarks.clone();
+    notes.extend(settings.given().filter_map(|(name, value)| in_vain(name, value)));
     let animated = ["Final_Frame", "Initial_Frame"].iter().any(|k| settings.int(k).unwrap_or(0) > 0);
     if settings.flag("Continue_Trace", false) && !animated {
         notes.push("Continue_Trace has no effect: a still picture is rendered from its beginning".to_owned());

@@ -16,6 +16,8 @@ pub struct Settings {
     pub readable: Vec<PathBuf>,
     pub writable: Vec<PathBuf>,
     pub declares: Vec<(String, String)>,
+    /// What INI files say in vain.
+    pub remarks: Vec<String>,
 }
 
 impl Settings {
@@ -31,6 +33,9 @@ impl Settings {
         };
         if !good {
             return Err(Failure::usage(format!("{}={value}: {}", known.name, expected(known.kind))));
+        }
+        if let Some(range) = out_of_range(known.name, value) {
+            return Err(Failure::usage(format!("{}={value}: expected {range}", known.name)));
         }
         self.given.insert(known.name);
         match known.name {
@@ -83,6 +88,26 @@ impl Settings {
     /// A whole number; fractions are cut off.
     pub fn int(&self, keyword: &str) -> Option<i64> {
         self.float(keyword).map(|v| v as i64)
+    }
+}
+
+/// What a value should be that its option cannot take.
+fn out_of_range(name: &str, value: &str) -> Option<&'static str> {
+    let number = value.parse::<f64>();
+    match name {
+        "Start_Column" | "Start_Row" | "End_Column" | "End_Row" => {
+            number.is_ok_and(|v| v < 0.0).then_some("a number from 0 up")
+        }
+        "Render_Block_Size" => number.is_ok_and(|v| v < 4.0).then_some("at least 4"),
+        "Dither_Method" => {
+            let known = ["B2", "B3", "B4", "D1", "D2", "FS"].iter().any(|m| value.eq_ignore_ascii_case(m));
+            (!known).then_some("B2, B3, B4, D1, D2 or FS")
+        }
+        "Display_Gamma" => {
+            let good = value.eq_ignore_ascii_case("sRGB") || number.is_ok_and(|v| v > 0.0);
+            (!good).then_some("sRGB or a number above 0")
+        }
+        _ => None,
     }
 }
 

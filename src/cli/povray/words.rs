@@ -107,8 +107,11 @@ fn ini_file(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Fai
         return Err(Failure::usage(format!("{word}: INI files include each other")));
     }
     let (name, section) = match word.split_once('[') {
-        Some((name, section)) => (name, section.trim_end_matches(']')),
-        None => (word, ""),
+        Some((name, section)) => match section.strip_suffix(']') {
+            Some(section) => (name, Some(section)),
+            None => return Err(Failure::usage(format!("{word}: the section's name has no `]` behind it"))),
+        },
+        None => (word, None),
     };
     let path = find_ini(settings, name).ok_or_else(|| {
         Failure::unavailable(format!(
@@ -119,7 +122,12 @@ fn ini_file(settings: &mut Settings, word: &str, depth: usize) -> Result<(), Fai
 }
 
 /// Applies an INI file.
-pub fn read_file(settings: &mut Settings, path: &Path, section: &str, depth: usize) -> Result<(), Failure> {
+pub fn read_file(
+    settings: &mut Settings,
+    path: &Path,
+    section: Option<&str>,
+    depth: usize,
+) -> Result<(), Failure> {
     let bytes = std::fs::read(path).map_err(|e| Failure::unavailable(format!("{}: {e}", path.display())))?;
     read_ini(settings, path, &String::from_utf8_lossy(&bytes), section, depth)
 }
@@ -131,23 +139,29 @@ fn find_ini(settings: &Settings, name: &str) -> Option<PathBuf> {
     paths.find(|p| p.is_file())
 }
 
-/// Options before the first header always count, those below a header only if it was asked for.
+/// Options before the first header always count, those behind a header only if it was asked for.
 fn read_ini(
     settings: &mut Settings,
     path: &Path,
     text: &str,
-    section: &str,
+    section: Option<&str>,
     depth: usize,
 ) -> Result<(), Failure> {
     let mut counts = true;
-    for (number, line) in text.lines().enumerate() {
-        let line = without_comment(line).trim();
-        if let Some(header) = line.strip_prefix('[') {
-            counts = header.trim_end_matches(']').trim().eq_ignore_ascii_case(section);
-            continue;
+    let text = text.replace("\r\n", "\n");
+    for (number, line) in text.split(['\n', '\r']).enumerate() {
+        let mut line = without_comment(line).trim();
+        if let Some(rest) = line.strip_prefix('[') {
+            let (header, rest) = rest.split_once(']').map_or((None, ""), |(h, r)| (Some(h), r));
+            counts = header.zip(section).is_some_and(|(h, asked)| h.eq_ignore_ascii_case(asked));
+            line = rest.trim();
         }
         if line.is_empty() || !counts {
             continue;
+        }
+        if line.matches('"').count() % 2 == 1 {
+            let place = format!("{}:{}", path.display(), number + 1);
+            return Err(Failure::usage(format!("{place}: a quotation mark stands alone")));
         }
         let place =
             |f: Failure| Failure { message: format!("{}:{}: {}", path.display(), number + 1, f), ..f };
@@ -156,26 +170,55 @@ fn read_ini(
     Ok(())
 }
 
+/// Switches, names of files, and one `Keyword=value` at the end.
 fn ini_line(settings: &mut Settings, line: &str, depth: usize) -> Result<(), Failure> {
-    match line.split_once('=') {
-        Some((keyword, value)) if !line.starts_with(['+', '-']) => {
-            keyword_value(settings, keyword.trim(), value, depth)
+    let mut rest = line.trim_start();
+    while !rest.is_empty() {
+        if !rest.starts_with(['+', '-'])
+            && let Some((keyword, value)) = rest.split_once('=')
+        {
+            return ini_value(settings, keyword.trim(), value.trim_start(), depth);
         }
-        _ => line.split_whitespace().try_for_each(|word| apply_nested(settings, word, depth + 1)),
+        let end = unquoted(rest, |at, c| c.is_whitespace() && at > 0);
+        let word = &rest[..end];
+        if word == "-" {
+            return Err(Failure::usage("-: a switch needs a letter".to_owned()));
+        }
+        apply_nested(settings, word, depth + 1)?;
+        rest = rest[end..].trim_start();
     }
+    Ok(())
+}
+
+/// A value goes on up to what looks like a switch; numbers, on and off are one word. What comes then is left out.
+fn ini_value(settings: &mut Settings, keyword: &str, text: &str, depth: usize) -> Result<(), Failure> {
+    let kind = TABLE.keyword(keyword).map(|k| k.kind);
+    let single = matches!(kind, Some(Kind::Int | Kind::Float | Kind::Bool));
+    let end = unquoted(text, |at, c| {
+        c.is_whitespace() && (single || text[at..].trim_start().starts_with(['+', '-']))
+    });
+    let (value, rest) = (text[..end].trim_end(), text[end..].trim());
+    if !rest.is_empty() {
+        settings.remarks.push(format!("{keyword}={value}: what stands behind it, `{rest}`, is left out"));
+    }
+    keyword_value(settings, keyword, value, depth)
+}
+
+/// Where `ends` holds first outside of quotes, or the length.
+fn unquoted(text: &str, ends: impl Fn(usize, char) -> bool) -> usize {
+    let mut quoted = false;
+    for (at, c) in text.char_indices() {
+        quoted ^= c == '"';
+        if !quoted && ends(at, c) {
+            return at;
+        }
+    }
+    text.len()
 }
 
 /// The line up to `;` or `#` outside of quotes.
 fn without_comment(line: &str) -> &str {
-    let mut quoted = false;
-    for (i, c) in line.char_indices() {
-        match c {
-            '"' => quoted = !quoted,
-            ';' | '#' if !quoted => return &line[..i],
-            _ => {}
-        }
-    }
-    line
+    &line[..unquoted(line, |_, c| matches!(c, ';' | '#'))]
 }
 
 #[cfg(test)]
@@ -235,16 +278,17 @@ mod tests {
     #[test]
     fn ini_sections_count_when_asked_for() {
         let text = "Width=8 ; a comment\n+H6 +A\n# more\n[Big]\nWidth=16\nOutput_File_Name=\"a;b\"\n[other]\nHeight=99\n";
-        let read = |section| {
+        let read = |section: &'static str| {
             let mut s = Settings::default();
-            read_ini(&mut s, Path::new("x.ini"), text, section, 0).unwrap();
+            let asked = Some(section).filter(|s| !s.is_empty());
+            read_ini(&mut s, Path::new("x.ini"), text, asked, 0).unwrap();
             (s.int("Width"), s.int("Height"), s.text("Output_File_Name").map(String::from))
         };
         assert_eq!(read(""), (Some(8), Some(6), None));
         assert_eq!(read("BIG"), (Some(16), Some(6), Some("a;b".to_owned())));
         assert_eq!(read("other"), (Some(8), Some(99), None));
         let mut s = Settings::default();
-        let error = read_ini(&mut s, Path::new("x.ini"), "Width=8\nBogus=1\n", "", 0).unwrap_err();
+        let error = read_ini(&mut s, Path::new("x.ini"), "Width=8\nBogus=1\n", None, 0).unwrap_err();
         assert!(error.message.starts_with("x.ini:2: "), "{error}");
     }
 }
