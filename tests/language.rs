@@ -210,3 +210,36 @@ fn settings_have_the_ranges_of_the_table() {
     assert!(asked > 3900, "{asked} values");
     assert!(wrong.is_empty(), "{} values\n{}", wrong.len(), wrong.join("\n"));
 }
+
+/// Every standard include file: carried, or refused with the name of the package that has it.
+#[test]
+fn standard_include_files_are_carried_or_named() {
+    const CARRIED: &str = "arrays colors consts debug finish functions ior math rad_def rand screen shapes shapes2 \
+        shapes_old shapesq stdinc strings sunpos transforms";
+    const NAMED: &str = "chars glass glass_old golds logo makegrass meshmaker metals shapes3 skies stage1 stars stdcam stoneold stones \
+        stones1 stones2 textures woodmaps woods";
+    let read = |name: &str| {
+        let text = format!("#version 3.7; #include \"{name}.inc\"");
+        read(&text, IncludeMode::Embedded).scene
+    };
+    for name in CARRIED.split_whitespace() {
+        if let Err(error) = read(name) {
+            panic!("{name}: {} {:?}", error.message, error.span);
+        }
+    }
+    for name in NAMED.split_whitespace() {
+        let error = read(name).expect_err(name);
+        assert_eq!(error.message, format!("cannot find the file `{name}.inc`"));
+        let hint = error.hint.as_deref().unwrap_or_default();
+        assert!(hint.contains("package `povray-includes`") && hint.contains("-L"), "{name}: {hint}");
+    }
+    // No file of the package is forgotten.
+    let Ok(folder) = fs::read_dir("/usr/share/povray-3.7/include") else { return };
+    let known: HashSet<&str> = CARRIED.split_whitespace().chain(NAMED.split_whitespace()).collect();
+    for entry in folder {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if let Some(stem) = name.strip_suffix(".inc") {
+            assert!(known.contains(stem), "{name} is neither carried nor named");
+        }
+    }
+}

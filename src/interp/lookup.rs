@@ -2,7 +2,7 @@
 
 use super::options::IncludeMode;
 use super::places::Access;
-use super::{Parser, Result};
+use super::{Parser, Result, embedded};
 use crate::source::{Diagnostic, Span};
 use std::path::{Component, Path, PathBuf};
 
@@ -119,7 +119,7 @@ impl Parser {
         let folders: Vec<String> =
             self.library_folders().iter().skip(1).map(|f| f.display().to_string()).collect();
         let hint = match folders.is_empty() {
-            _ if is_design(name) => {
+            _ if is_standard(name) => {
                 "it comes with POV-Ray: install its include files (package `povray-includes`), or name their folder with -L"
                     .to_owned()
             }
@@ -154,8 +154,9 @@ impl Parser {
     }
 }
 
-/// Include files of POV-Ray that are design and not fact; nobody else carries them.
-const DESIGNS: [&str; 28] = [
+/// Files that come with POV-Ray and are not carried here, most of them because they are design and not fact. Include files are without
+/// their ending.
+const DESIGNS: [&str; 44] = [
     "chars",
     "glass",
     "glass_old",
@@ -164,10 +165,7 @@ const DESIGNS: [&str; 28] = [
     "makegrass",
     "meshmaker",
     "metals",
-    "rad_def",
-    "screen",
     "shapes3",
-    "shapesq",
     "skies",
     "stage1",
     "stars",
@@ -179,17 +177,37 @@ const DESIGNS: [&str; 28] = [
     "textures",
     "woodmaps",
     "woods",
-    "shapes_old",
+    "ash.map",
+    "benediti.map",
+    "bubinga.map",
+    "cedar.map",
+    "marbteal.map",
+    "orngwood.map",
+    "pinkmarb.map",
+    "rdgranit.map",
+    "teak.map",
+    "whiteash.map",
+    "bumpmap_.png",
+    "fract003.png",
+    "mount1.png",
+    "mount2.png",
+    "mtmandj.png",
+    "plasma2.png",
+    "plasma3.png",
+    "povmap.png",
+    "mtmand.pot",
+    "spiral.df3",
+    "crystal.ttf",
+    "cyrvetic.ttf",
     "povlogo.ttf",
     "timrom.ttf",
-    "cyrvetic.ttf",
-    "crystal.ttf",
 ];
 
-/// Whether a file of that name comes with POV-Ray and with nothing else.
-fn is_design(name: &str) -> bool {
+/// Whether a file of that name comes with POV-Ray.
+fn is_standard(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
-    DESIGNS.contains(&name.strip_suffix(".inc").unwrap_or(&name))
+    let stem = name.strip_suffix(".inc").unwrap_or(&name);
+    DESIGNS.contains(&stem) || embedded::lookup(&format!("{stem}.inc")).is_some()
 }
 
 /// The names to try, in order.
@@ -243,6 +261,16 @@ fn same_letters(folder: &Path, part: &str) -> Option<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// What is carried is not called design, and the design files of the include files' list are known.
+    #[test]
+    fn files_are_carried_or_known() {
+        for name in embedded::names() {
+            let stem = name.strip_suffix(".inc").unwrap();
+            assert!(is_standard(name) && is_standard(stem) && !DESIGNS.contains(&stem), "{name}");
+        }
+        assert!(is_standard("Woods.inc") && is_standard("timrom.ttf") && !is_standard("mine.inc"));
+    }
 
     #[test]
     fn extensions_are_tried_before_the_bare_name() {
