@@ -181,7 +181,7 @@ fn uv_tree(faces: &[Option<Face>]) -> Bvh {
         .iter()
         .map(|f| f.as_ref().map_or(Aabb::EMPTY, |f| Aabb::from_points(f.uvs.map(|p| p.extend(0.0)))))
         .collect();
-    Bvh::build(&boxes, Quality::Fast)
+    Bvh::build(&boxes, Quality::Fast { leaf: 2 })
 }
 
 #[cfg(test)]

@@ -26,8 +26,8 @@ pub struct Triangle {
 /// A ray's frame in which it runs along z: the same for every triangle that it is tested with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shear {
-    axes: [usize; 3],
-    slope: Vec2,
+    pub(super) axes: [usize; 3],
+    pub(super) slope: Vec2,
 }
 
 impl Shear {

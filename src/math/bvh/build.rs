@@ -4,6 +4,7 @@ use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
+use smallvec::{SmallVec, smallvec};
 use std::time::Duration;
 
 /// How much building may cost.
@@ -11,21 +12,24 @@ use std::time::Duration;
 pub enum Quality {
     /// One primitive a leaf and an optimised tree: for primitives that are costly to intersect.
     Best,
-    /// Small leaves, built quickly: for triangles by the million.
-    Fast,
+    /// Leaves of up to `leaf` primitives, built quickly: for triangles by the million.
+    Fast { leaf: usize },
 }
 
 impl Quality {
     fn parameters(self) -> BvhBuildParams {
         match self {
             Quality::Best => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::medium_build() },
-            Quality::Fast => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() },
+            Quality::Fast { .. } => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() },
         }
     }
 
-    /// Whether two primitives that stand alone together become one leaf.
-    fn pairs(self) -> bool {
-        self == Quality::Fast
+    /// The most primitives of a leaf.
+    fn leaf(self) -> usize {
+        match self {
+            Quality::Best => 1,
+            Quality::Fast { leaf } => leaf.clamp(1, MAX_LEAF),
+        }
     }
 }
 
@@ -129,13 +133,13 @@ pub(super) struct Place<'a> {
     /// Primitive numbers of the tree's boxes; the bulk stands in the outer tree as `u32::MAX`.
     pub numbers: &'a [u32],
     pub node: usize,
-    /// Whether a node above two leaves is taken for a leaf itself.
-    pub pairs: bool,
+    /// Nodes above so many primitives are taken for leaves.
+    pub leaf: usize,
 }
 
 impl<'a> Place<'a> {
     pub fn root(tree: &'a Bvh2, numbers: &'a [u32], quality: Quality) -> Self {
-        Self { tree, numbers, node: 0, pairs: quality.pairs() }
+        Self { tree, numbers, node: 0, leaf: quality.leaf() }
     }
 
     fn bounds(&self) -> obvhs::aabb::Aabb {
@@ -148,19 +152,31 @@ impl<'a> Place<'a> {
     }
 
     fn is_leaf(&self) -> bool {
-        let node = &self.tree.nodes[self.node];
-        node.is_leaf() || self.pairs && self.children().iter().all(|c| self.tree.nodes[c.node].is_leaf())
+        self.tree.nodes[self.node].is_leaf() || self.leaf > 1 && self.leaves().is_some()
+    }
+
+    /// The leaves at or below the node, as many as one leaf may hold; `None` if there are more.
+    fn leaves(&self) -> Option<SmallVec<[usize; MAX_LEAF]>> {
+        let mut found = SmallVec::new();
+        let mut todo: SmallVec<[usize; MAX_LEAF]> = smallvec![self.node];
+        while let Some(at) = todo.pop() {
+            let node = &self.tree.nodes[at];
+            if node.is_leaf() {
+                found.push(at);
+            } else {
+                let first = node.first_index as usize;
+                todo.extend([first + 1, first]);
+            }
+            if found.len() + todo.len() > self.leaf {
+                return None;
+            }
+        }
+        Some(found)
     }
 
     fn primitives(&self) -> impl Iterator<Item = u32> + 'a {
         let (tree, numbers) = (self.tree, self.numbers);
-        let node = &tree.nodes[self.node];
-        let leaves = if node.is_leaf() {
-            self.node..self.node + 1
-        } else {
-            node.first_index as usize..node.first_index as usize + 2
-        };
-        leaves.flat_map(move |leaf| {
+        self.leaves().unwrap_or_default().into_iter().flat_map(move |leaf| {
             let node = &tree.nodes[leaf];
             let (first, count) = (node.first_index as usize, node.prim_count as usize);
             (first..first + count).map(move |k| numbers[tree.primitive_indices[k] as usize])

@@ -206,7 +206,7 @@ mod tests {
     fn pieces_hold_every_box() {
         let mut random = Random::new(3);
         let boxes: Vec<Aabb> = (0..3 * CHUNK).map(|_| random.aabb(1.0, 0.01)).collect();
-        let tree = Bvh::build_from(boxes.len(), |i| boxes[i as usize], Quality::Fast);
+        let tree = Bvh::build_from(boxes.len(), |i| boxes[i as usize], Quality::Fast { leaf: 2 });
         let mut seen = vec![false; boxes.len()];
         tree.order().iter().for_each(|&i| seen[i as usize] = true);
         assert!(seen.iter().all(|&s| s));

@@ -106,6 +106,14 @@ impl Bvh {
         &self.order
     }
 
+    /// The places of each leaf's primitives.
+    pub fn leaves(&self) -> impl Iterator<Item = Places> {
+        self.nodes.iter().flat_map(|node| {
+            let holds = |i: &usize| node.child[*i] & LEAF != 0 && node.bounds[0][*i] <= node.bounds[3][*i];
+            (0..WIDTH).filter(holds).map(|i| leaf_places(node.child[i]))
+        })
+    }
+
     /// From now on primitives are called by their place in [`Bvh::order`].
     pub fn take_order(&mut self) -> Vec<u32> {
         std::mem::take(&mut self.order)
@@ -170,9 +178,12 @@ impl Accelerator for Bvh {
     }
 }
 
+/// Places in [`Bvh::order`], those of one leaf.
+pub type Places = std::ops::Range<u32>;
+
 /// The places in `order` of a leaf's primitives.
 #[inline(always)]
-fn leaf_places(entry: u32) -> std::ops::Range<u32> {
+fn leaf_places(entry: u32) -> Places {
     let first = entry & FIRST_MASK;
     let count = ((entry & !LEAF) >> COUNT_SHIFT) + 1;
     first..first + count

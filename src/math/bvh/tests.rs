@@ -121,7 +121,8 @@ pub fn cases<A: Accelerator>(build: impl Fn(&[Aabb]) -> Vec<A>, rays: usize) {
 /// Six cases, 10^7 rays in all.
 #[test]
 fn tree_and_brute_force_agree_for_ten_million_rays() {
-    let both = |boxes: &[Aabb]| [Quality::Best, Quality::Fast].map(|q| Bvh::build(boxes, q)).into();
+    let both =
+        |boxes: &[Aabb]| [Quality::Best, Quality::Fast { leaf: 4 }].map(|q| Bvh::build(boxes, q)).into();
     cases(both, 10_000_000 / 6 + 2);
 }
 
@@ -168,7 +169,7 @@ fn rays_along_faces_of_boxes_reach_their_primitives() {
 fn an_empty_tree_and_a_single_box_work() {
     let none = Bvh::build(&[], Quality::Best);
     none.traverse(&Ray::new(Vec3::ZERO, Vec3::X), Range::FORWARD, |_, _| panic!("nothing to visit"));
-    let one = Bvh::build(&[Aabb::new(Vec3::ONE, Vec3::splat(2.0))], Quality::Fast);
+    let one = Bvh::build(&[Aabb::new(Vec3::ONE, Vec3::splat(2.0))], Quality::Fast { leaf: 2 });
     let mut visits = 0;
     one.traverse(&Ray::new(Vec3::ZERO, Vec3::ONE.normalize()), Range::FORWARD, |i, max| {
         assert_eq!(i, 0);

@@ -1,6 +1,6 @@
 #[cfg(target_arch = "x86_64")]
 use super::wide;
-use super::{Bvh, LEAF, Node, WIDTH, leaf_places};
+use super::{Bvh, LEAF, Node, Places, WIDTH, leaf_places};
 use crate::math::{Range, Ray, Vec3};
 use smallvec::SmallVec;
 #[cfg(target_arch = "x86_64")]
@@ -73,6 +73,13 @@ impl Bvh {
     /// A result not above `range.min` ends the search.
     #[inline]
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+        let mut visit = visit;
+        self.walk::<true>(ray, range, |leaf, max| self.each_in(leaf, (range.min, max), &mut visit));
+    }
+
+    /// The same leaf by leaf: `visit(places, max)` is shown the places in the leaves' order.
+    #[inline]
+    pub fn traverse_leaves(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
         self.walk::<true>(ray, range, visit);
     }
 
@@ -80,16 +87,42 @@ impl Bvh {
     /// returns true.
     #[inline]
     pub fn any(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> bool) -> bool {
+        self.any_leaf(ray, range, |mut leaf| leaf.any(|i| visit(self.primitive(i))))
+    }
+
+    /// The same leaf by leaf.
+    #[inline]
+    pub fn any_leaf(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Places) -> bool) -> bool {
         let mut found = false;
-        self.walk::<false>(ray, range, |i, max| {
-            found = visit(i);
+        self.walk::<false>(ray, range, |leaf, max| {
+            found = visit(leaf);
             if found { f64::NEG_INFINITY } else { max }
         });
         found
     }
 
+    /// Shows a leaf's primitives to `visit`, until the search is over.
+    #[inline(always)]
+    fn each_in(
+        &self,
+        leaf: Places,
+        (min, mut max): (f64, f64),
+        visit: &mut impl FnMut(u32, f64) -> f64,
+    ) -> f64 {
+        for i in leaf {
+            let closer = visit(self.primitive(i), max);
+            if closer < max {
+                max = closer;
+                if max <= min {
+                    break;
+                }
+            }
+        }
+        max
+    }
+
     #[inline]
-    fn walk<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+    fn walk<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
         if self.nodes.is_empty() {
             return;
         }
@@ -109,7 +142,7 @@ impl Bvh {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,popcnt")]
     #[inline]
-    fn walk_wide<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
+    fn walk_wide<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
         let mut setup = Setup::NONE;
         if !self.setup_near(ray, range, &mut setup) {
             match self.setup(ray, range) {
@@ -288,26 +321,21 @@ impl InTree {
         InTree { min: range.min, max: range.max, start, limit: limit(bvh, s, range.max) }
     }
 
-    /// Shows a leaf's primitives to `visit`; false once the search is over.
+    /// Shows a leaf to `visit`; false once the search is over.
     #[inline(always)]
     pub fn visit_leaf(
         &mut self,
         bvh: &Bvh,
         s: &Setup,
         leaf: u32,
-        visit: &mut impl FnMut(u32, f64) -> f64,
+        visit: &mut impl FnMut(Places, f64) -> f64,
     ) -> bool {
-        for i in leaf_places(leaf) {
-            let closer = visit(bvh.primitive(i), self.max);
-            if closer < self.max {
-                self.max = closer;
-                if closer <= self.min {
-                    return false;
-                }
-                self.limit = limit(bvh, s, closer);
-            }
+        let closer = visit(leaf_places(leaf), self.max);
+        if closer < self.max {
+            self.max = closer;
+            self.limit = limit(bvh, s, closer);
         }
-        true
+        self.max > self.min
     }
 }
 
@@ -319,7 +347,7 @@ fn limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
 }
 
 /// The traversal without wide registers.
-fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(u32, f64) -> f64) {
+fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(Places, f64) -> f64) {
     let mut stack = Stack(SmallVec::new());
     let mut reach = InTree::new(bvh, s, range);
     let mut near = [0f32; WIDTH];
@@ -377,8 +405,8 @@ pub(super) mod tests {
                     wide
                 });
                 if let Some(setup) = setup {
-                    plain::<true>(&bvh, &setup, Range::FORWARD, |i, max| {
-                        narrow = enter(i, max);
+                    plain::<true>(&bvh, &setup, Range::FORWARD, |leaf, max| {
+                        narrow = leaf.fold(max, |max, i| enter(bvh.primitive(i), max));
                         narrow
                     });
                 }

@@ -2,7 +2,7 @@
 //! processor could guess wrong: the nearest child is opened next, and the others are set aside all at once.
 
 use super::traverse::{InTree, Planes, Setup};
-use super::{Bvh, LEAF, Node, WIDTH};
+use super::{Bvh, LEAF, Node, Places, WIDTH};
 use crate::math::Range;
 use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
@@ -151,7 +151,7 @@ pub(super) fn walk<const SORTED: bool>(
     bvh: &Bvh,
     s: &Setup,
     range: Range,
-    visit: impl FnMut(u32, f64) -> f64,
+    visit: impl FnMut(Places, f64) -> f64,
 ) {
     let size = bvh.stack_size + WIDTH;
     if size <= STACK {
@@ -171,7 +171,7 @@ fn walk_in<const SORTED: bool>(
     s: &Setup,
     range: Range,
     mut waiting: Waiting,
-    mut visit: impl FnMut(u32, f64) -> f64,
+    mut visit: impl FnMut(Places, f64) -> f64,
 ) {
     let mut reach = InTree::new(bvh, s, range);
     let mut entry = 0u32;

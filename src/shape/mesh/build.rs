@@ -1,3 +1,4 @@
+use super::leaves::{LANES, Leaves};
 use super::{Corners, Indices, Mesh, MeshFaces, Textures};
 use crate::math::bvh::{Bvh, Quality};
 use crate::math::{Aabb, Vec3};
@@ -60,12 +61,14 @@ impl MeshBuilder {
 
     fn faces(mut self) -> MeshFaces {
         let bounds = |i: u32| self.face_bounds(self.faces[i as usize]);
-        let mut tree = Bvh::build_from(self.faces.len(), bounds, Quality::Fast);
+        let mut tree = Bvh::build_from(self.faces.len(), bounds, Quality::Fast { leaf: LANES });
         self.vertices.shrink_to_fit();
         self.normals.shrink_to_fit();
         self.uvs.shrink_to_fit();
         let order = tree.order();
         let faces = reordered(self.faces, order);
+        let corners = |i: u32| faces[i as usize].map(|v| self.vertices[v as usize]);
+        let leaves = Leaves::new(tree.leaves(), faces.len(), corners);
         MeshFaces {
             vertices: self.vertices,
             normal_corners: indices(self.normal_corners, !self.normals.is_empty(), order),
@@ -78,6 +81,7 @@ impl MeshBuilder {
             kind: self.kind,
             numbers: tree.take_order(),
             tree,
+            leaves,
         }
     }
 

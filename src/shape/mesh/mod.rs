@@ -14,15 +14,18 @@
 //! For `inside_vector` each edge belongs to just one of the two faces that a nudge of the ray would choose
 //! between, so every crossing counts once.
 //!
-//! MeshFaces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
-//! (mostly 6), about 13 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
+//! Faces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
+//! (mostly 6), 36 for its corners beside those of its leaf, about 8 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
 //! own.
 //!
 //! Reference: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 
 mod build;
+mod leaves;
 
 pub use build::{FLAT, Merged, MeshBuilder, NO_TEXTURE};
+
+use leaves::Leaves;
 
 use super::triangle::Shear;
 use super::{Crossing, PartTexture, Place, Shape, rounding};
@@ -52,6 +55,7 @@ pub struct MeshFaces {
     uv_corners: Indices,
     textures: Textures,
     tree: Bvh,
+    leaves: Leaves,
     /// Where in the scene's list each face stood.
     numbers: Vec<u32>,
     inside_vector: Option<Vec3>,
@@ -131,17 +135,6 @@ impl MeshFaces {
         self.faces[face].map(|v| wide(self.vertices[v as usize]))
     }
 
-    /// Distance to a face that the ray passes, and what its corners' weights are proportional to.
-    #[inline]
-    fn pass(&self, face: usize, ray: &Ray, shear: &Shear) -> Option<(f64, Vec3)> {
-        let [a, b, c] = self.faces[face];
-        let corner = |v: u32| &self.vertices[v as usize];
-        let (a, b, c) = (corner(a), corner(b), corner(c));
-        let shares = shear.shares_of([a, b, c], ray.origin.as_ref())?;
-        let (a, b, c) = (wide(*a) - ray.origin, wide(*b) - ray.origin, wide(*c) - ray.origin);
-        Some((plane_distance(a, b, c, ray.dir)?, shares))
-    }
-
     pub fn flat_normal(&self, face: usize) -> Vec3 {
         let [a, b, c] = self.corners(face);
         (c - a).cross(b - a).normalize_or(Vec3::Y)
@@ -185,6 +178,7 @@ impl MeshFaces {
             + self.uv_corners.heap_bytes()
             + textures
             + self.tree.heap_bytes()
+            + self.leaves.heap_bytes()
     }
 }
 
@@ -223,12 +217,12 @@ impl Shape for Mesh {
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         let shear = Shear::new(ray.dir);
         let faces = self.faces();
-        faces.tree.traverse(ray, range, |face, max| {
-            if let Some(hit) = faces.pass(face as usize, ray, &shear)
-                && range.contains(hit.0)
-            {
-                out.push(Self::crossing(face, hit));
-            }
+        faces.tree.traverse_leaves(ray, range, |leaf, max| {
+            faces.leaves.each_passed(leaf, ray, &shear, |face, hit| {
+                if range.contains(hit.0) {
+                    out.push(Self::crossing(face, hit));
+                }
+            });
             max
         });
     }
@@ -237,12 +231,14 @@ impl Shape for Mesh {
         let shear = Shear::new(ray.dir);
         let faces = self.faces();
         let mut best: Option<(u32, (f64, Vec3))> = None;
-        faces.tree.traverse(ray, range, |face, max| match faces.pass(face as usize, ray, &shear) {
-            Some(hit) if hit.0 > range.min && hit.0 < max => {
-                best = Some((face, hit));
-                hit.0
-            }
-            _ => max,
+        faces.tree.traverse_leaves(ray, range, |leaf, mut max| {
+            faces.leaves.each_passed(leaf, ray, &shear, |face, hit| {
+                if hit.0 > range.min && hit.0 < max {
+                    best = Some((face, hit));
+                    max = hit.0;
+                }
+            });
+            max
         });
         best.map(|(face, hit)| Self::crossing(face, hit))
     }
@@ -304,8 +300,11 @@ impl Shape for Mesh {
     fn meets(&self, ray: &Ray, range: Range) -> bool {
         let shear = Shear::new(ray.dir);
         let faces = self.faces();
-        let passes = |face: u32| faces.pass(face as usize, ray, &shear);
-        faces.tree.any(ray, range, |face| passes(face).is_some_and(|(t, _)| range.contains(t)))
+        faces.tree.any_leaf(ray, range, |leaf| {
+            let mut met = false;
+            faces.leaves.each_passed(leaf, ray, &shear, |_, (t, _)| met |= range.contains(t));
+            met
+        })
     }
 
     fn uv(&self, _p: Vec3, crossing: &Crossing) -> Option<Vec2> {

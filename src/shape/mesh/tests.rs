@@ -94,7 +94,12 @@ fn nearest_agrees_with_all_faces() {
     for _ in 0..2000 {
         let ray = Ray::new(2.0 * random.direction(), random.direction());
         let shear = Shear::new(ray.dir);
-        let all = (0..mesh.faces().face_count()).filter_map(|f| mesh.faces().pass(f, &ray, &shear));
+        let pass = |face: usize| {
+            let [a, b, c] = mesh.faces().corners(face).map(|p| p - ray.origin);
+            let weights = shear.weights([a, b, c])?;
+            Some((plane_distance(a, b, c, ray.dir)?, weights))
+        };
+        let all = (0..mesh.faces().face_count()).filter_map(pass);
         let all: Vec<Crossing> = all.filter(|h| h.0 > 0.0).map(|h| Mesh::crossing(0, h)).collect();
         let mut found = Vec::new();
         mesh.crossings(&ray, Range::FORWARD, &mut found);
