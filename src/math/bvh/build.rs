@@ -134,12 +134,19 @@ pub(super) struct Place<'a> {
     pub numbers: &'a [u32],
     pub node: usize,
     /// Nodes above so many primitives are taken for leaves.
-    pub leaf: usize,
+    leaf: usize,
+    is_leaf: bool,
 }
 
 impl<'a> Place<'a> {
     pub fn root(tree: &'a Bvh2, numbers: &'a [u32], quality: Quality) -> Self {
-        Self { tree, numbers, node: 0, leaf: quality.leaf() }
+        Self { tree, numbers, node: 0, leaf: quality.leaf(), is_leaf: false }.at(0)
+    }
+
+    /// Another node of the same tree.
+    fn at(&self, node: usize) -> Place<'a> {
+        let is_leaf = self.tree.nodes[node].is_leaf() || count_below(self.tree, node, self.leaf).is_some();
+        Place { node, is_leaf, ..*self }
     }
 
     fn bounds(&self) -> obvhs::aabb::Aabb {
@@ -148,40 +155,39 @@ impl<'a> Place<'a> {
 
     fn children(&self) -> [Place<'a>; 2] {
         let first = self.tree.nodes[self.node].first_index as usize;
-        [Place { node: first, ..*self }, Place { node: first + 1, ..*self }]
+        [self.at(first), self.at(first + 1)]
     }
 
-    fn is_leaf(&self) -> bool {
-        self.tree.nodes[self.node].is_leaf() || self.leaf > 1 && self.leaves().is_some()
-    }
-
-    /// The leaves at or below the node, as many as one leaf may hold; `None` if there are more.
-    fn leaves(&self) -> Option<SmallVec<[usize; MAX_LEAF]>> {
+    /// Those of a leaf.
+    fn primitives(&self) -> SmallVec<[u32; MAX_LEAF]> {
         let mut found = SmallVec::new();
         let mut todo: SmallVec<[usize; MAX_LEAF]> = smallvec![self.node];
         while let Some(at) = todo.pop() {
             let node = &self.tree.nodes[at];
+            let first = node.first_index as usize;
             if node.is_leaf() {
-                found.push(at);
+                let own = &self.tree.primitive_indices[first..first + node.prim_count as usize];
+                found.extend(own.iter().map(|&k| self.numbers[k as usize]));
             } else {
-                let first = node.first_index as usize;
                 todo.extend([first + 1, first]);
             }
-            if found.len() + todo.len() > self.leaf {
-                return None;
-            }
         }
-        Some(found)
+        found
     }
+}
 
-    fn primitives(&self) -> impl Iterator<Item = u32> + 'a {
-        let (tree, numbers) = (self.tree, self.numbers);
-        self.leaves().unwrap_or_default().into_iter().flat_map(move |leaf| {
-            let node = &tree.nodes[leaf];
-            let (first, count) = (node.first_index as usize, node.prim_count as usize);
-            (first..first + count).map(move |k| numbers[tree.primitive_indices[k] as usize])
-        })
+/// How many primitives are at or below a node, if one leaf of `most` can hold them.
+fn count_below(tree: &Bvh2, node: usize, most: usize) -> Option<usize> {
+    let node = &tree.nodes[node];
+    if node.is_leaf() {
+        return (node.prim_count as usize <= most).then_some(node.prim_count as usize);
     }
+    if most < 2 {
+        return None;
+    }
+    let first = node.first_index as usize;
+    let left = count_below(tree, first, most - 1)?;
+    Some(left + count_below(tree, first + 1, most - left)?)
 }
 
 impl Collapse {
@@ -221,7 +227,7 @@ impl Collapse {
             widen(&mut children, graft);
             for (slot, child) in children.iter().enumerate() {
                 let b = child.bounds();
-                let entry = if child.is_leaf() {
+                let entry = if child.is_leaf {
                     self.leaf(child)
                 } else {
                     self.nodes.push(Node::EMPTY);
@@ -252,13 +258,13 @@ fn widen<'a>(children: &mut Vec<Place<'a>>, graft: Option<Place<'a>>) {
     while children.len() < WIDTH {
         let mut largest = None;
         for (i, child) in children.iter_mut().enumerate() {
-            if child.is_leaf() {
+            if child.is_leaf {
                 // The bulk's place in the outer tree: go on in the bulk's own tree.
                 match graft {
-                    Some(g) if child.primitives().next() == Some(u32::MAX) => *child = g,
+                    Some(g) if child.primitives()[0] == u32::MAX => *child = g,
                     _ => continue,
                 }
-                if child.is_leaf() {
+                if child.is_leaf {
                     continue;
                 }
             }
@@ -275,7 +281,7 @@ fn widen<'a>(children: &mut Vec<Place<'a>>, graft: Option<Place<'a>>) {
     // The last ones opened may again be the bulk's place.
     if let Some(g) = graft {
         for child in children.iter_mut() {
-            if child.is_leaf() && child.primitives().next() == Some(u32::MAX) {
+            if child.is_leaf && child.primitives()[0] == u32::MAX {
                 *child = g;
             }
         }

@@ -3,6 +3,7 @@
 use super::wide as corner;
 use crate::math::{Ray, Vec3};
 use crate::shape::triangle::Shear;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// The most faces of a leaf.
@@ -37,10 +38,9 @@ impl Leaves {
         for leaf in leaves {
             let (first, n) = (NUMBERS * leaf.start as usize, leaf.len());
             assert!(n <= LANES, "a leaf of {n} faces");
-            for (lane, face) in leaf.enumerate() {
-                for (row, number) in corners(face).as_flattened().iter().enumerate() {
-                    rows[first + row * n + lane] = *number;
-                }
+            let faces: SmallVec<[[[f32; 3]; 3]; LANES]> = leaf.map(&corners).collect();
+            for (row, lanes) in rows[first..][..NUMBERS * n].chunks_exact_mut(n).enumerate() {
+                lanes.iter_mut().zip(&faces).for_each(|(lane, face)| *lane = face.as_flattened()[row]);
             }
         }
         Leaves { rows }
