@@ -227,6 +227,11 @@ fn standard_include_files_are_carried_or_named() {
             panic!("{name}: {} {:?}", error.message, error.span);
         }
     }
+    for number in 0..11 {
+        let settings = format!("radiosity {{ Rad_Settings({number}, on, off) }}");
+        let text = format!("#version 3.7; #include \"rad_def.inc\"\nglobal_settings {{ {settings} }}");
+        assert!(read_as(&text, IncludeMode::Embedded, true).scene.is_ok(), "{settings}");
+    }
     for name in NAMED.split_whitespace() {
         let error = read(name).expect_err(name);
         assert_eq!(error.message, format!("cannot find the file `{name}.inc`"));

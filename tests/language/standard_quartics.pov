@@ -37,4 +37,3 @@ Insides(Sinsurf, 4) Insides(Sinsurf, 1.5)
 #debug concat(str(Radiosity_Normal,0,0), str(Radiosity_2Bounce,0,0), str(Radiosity_Final,0,0), "\n")
 #debug concat(str(Radiosity_OutdoorLQ,0,0), str(Radiosity_OutdoorHQ,0,0), str(Radiosity_OutdoorLight,0,0), "\n")
 #debug concat(str(Radiosity_IndoorLQ,0,0), str(Radiosity_IndoorHQ,0,0), "\n")
-global_settings { radiosity { Rad_Settings(Radiosity_Normal, off, off) } }
