@@ -14,6 +14,9 @@ use super::span::{Span, slab};
 use super::{COINCIDENT, Chord, Crossing, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Vec3};
 
+/// Lines whose discriminant is negative by more than this share of its terms miss beyond any rounding.
+const CLEAR: f64 = 64.0 * f64::EPSILON;
+
 /// Part of the wall.
 const WALL: u32 = 0;
 /// Part of the end at `base`, then of the end at `cap`.
@@ -49,11 +52,15 @@ impl Cylinder {
     /// Where a line is inside the endless cylinder; origin and direction are across the axis.
     fn wall(&self, origin: Vec3, dir: Vec3) -> Option<Span> {
         let a = dir.length_squared();
-        let c = origin.length_squared() - self.radius * self.radius;
+        let (far2, radius2) = (origin.length_squared(), self.radius * self.radius);
+        let c = far2 - radius2;
         if a == 0.0 {
             return (c <= 0.0).then(|| Span::line(WALL));
         }
         let b = origin.dot(dir);
+        if b * b < a * (c - CLEAR * (far2 + radius2)) {
+            return None;
+        }
         let closest = origin - (b / a) * dir;
         let half_chord2 = self.radius * self.radius - closest.length_squared();
         if half_chord2.is_nan() || half_chord2 <= 0.0 {

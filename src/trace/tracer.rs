@@ -23,6 +23,9 @@ const FAR: f64 = 2e10;
 /// Surfaces that one ray passes straight through before it is given up.
 const MAX_PASSED: u32 = 1 << 16;
 
+/// Rays through the lens that are worked out at once.
+const SIDE_BY_SIDE: usize = 4;
+
 /// Light that was spread over the scene before the picture is traced.
 #[derive(Clone, Debug, Default)]
 pub struct Indirect {
@@ -237,13 +240,20 @@ impl<'w> Tracer<'w> {
         let mut n = 0;
         for &end in lens.batches() {
             while n < end {
-                let seen = self.seen_along(lens.ray(camera, n, place, size, &self.context));
-                let channels = [seen.rgb.x, seen.rgb.y, seen.rgb.z, seen.transmit];
-                for (i, c) in channels.into_iter().enumerate() {
-                    sums[i] += c;
-                    squares[i] += c * c;
+                // Rays need long chains of looking up: some are worked out side by side.
+                let several = (end - n).min(SIDE_BY_SIDE);
+                let ray = |k: usize| lens.ray(camera, n + k, place, size, &self.context);
+                let rays: [_; SIDE_BY_SIDE] =
+                    std::array::from_fn(|k| (k < several).then(|| ray(k)).flatten());
+                for ray in rays.into_iter().take(several) {
+                    let seen = self.seen_along(ray);
+                    let channels = [seen.rgb.x, seen.rgb.y, seen.rgb.z, seen.transmit];
+                    for (i, c) in channels.into_iter().enumerate() {
+                        sums[i] += c;
+                        squares[i] += c * c;
+                    }
                 }
-                n += 1;
+                n += several;
             }
             if lens.is_enough(n, &sums, &squares) {
                 break;
