@@ -141,7 +141,7 @@ const FAINT_IN_MEDIA: f32 = 0.3;
 const FAINT_AT_SURFACES: f32 = 0.02;
 
 /// Error of a shadow ray's light in the picture, times its optical depth's, that makes no difference.
-const ALIKE: f32 = 0.03;
+const ALIKE: f32 = 0.2;
 
 /// The largest error of an optical depth.
 const MOST_SLACK: f32 = 0.5;
@@ -327,7 +327,7 @@ impl<'w> Tracer<'w> {
             return true;
         }
         let boost = stretch.boost.get();
-        let left = most * boost * exp(-depth).max_element();
+        let left = most * boost * (-depth.min_element()).exp();
         stretch.slack.set((ALIKE / left).min(MOST_SLACK));
         if left < faint {
             let stays = self.random.draw() as f32 * faint < left;
@@ -379,10 +379,10 @@ impl<'w> Tracer<'w> {
         for beam in stretch.beams.iter().filter(|b| b.from < s && s < b.to) {
             let Some(arrival) = beam.source.light.arrival(p, Vec3::ZERO) else { continue };
             let phase = self.phase(stretch, arrival.direction.dot(stretch.ray.dir));
-            if (scattering * arrival.color * phase * stretch.share.get()).abs().max_element() < UNSEEN {
+            let most = (scattering * arrival.color * phase * stretch.share.get()).abs().max_element();
+            if most < UNSEEN {
                 continue;
             }
-            let most = (scattering * arrival.color * phase * stretch.share.get()).abs().max_element();
             let Some(boost) = self.picks(stretch, most * stretch.sample_share.get()) else { continue };
             self.scatters = true;
             let color =

@@ -122,7 +122,9 @@ pub(super) fn sampled(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan) -> (R
     let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
     for interval in &intervals {
         let n = interval.samples as f32;
-        glow += interval.glow / n * exp(-depth);
+        if interval.glow != Rgb::ZERO {
+            glow += interval.glow / n * exp(-depth);
+        }
         depth += interval.depth / n;
     }
     (glow, depth)
@@ -192,7 +194,7 @@ impl Stretch<'_, '_> {
     fn aim(&self, front: Rgb, length: f64, samples: u32) {
         self.sample_share.set(1.0 / samples as f32);
         if let Some(path) = self.path {
-            self.share.set(path.weight * exp(-front).max_element() * length as f32);
+            self.share.set(path.weight * (-front.min_element()).exp() * length as f32);
         }
     }
 }
@@ -235,7 +237,9 @@ fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut 
         let (a, b) = (f64::from(j - 1) * step, f64::from(j) * step);
         let after = probe.at(tracer, b, step);
         let mean = probe.between(tracer, (a, before), (b, after), plan.level as i32 - 1);
-        glow += mean.glow * exp(-depth / n as f32);
+        if mean.glow != Rgb::ZERO {
+            glow += mean.glow * exp(-depth / n as f32);
+        }
         depth += mean.extinction;
         before = after;
     }

@@ -2,7 +2,7 @@ use super::light_choice::FEW;
 use super::light_row::LightRow;
 use super::media::{Medium, Worth};
 use super::path::{Interiors, Path, Radiance, Veil, copied};
-use super::photon::{Nearby, Photons};
+use super::photon::{Nearby, Neighbourhoods, Photons};
 use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::{Onward, Shaded};
@@ -52,6 +52,8 @@ pub struct Tracer<'w> {
     pub(super) photons: Option<Arc<Photons>>,
     /// Lists of photons to be used again.
     pub(super) spare_nearby: Vec<Nearby>,
+    /// Where photons on surfaces were looked for in this block.
+    pub(super) photons_of_late: Neighbourhoods,
     /// Whether the surface being lit takes photons: what refracts them casts a full shadow on it.
     pub(super) collects: bool,
     lens: Option<Arc<Lens>>,
@@ -135,6 +137,7 @@ impl<'w> Tracer<'w> {
             subsurface: Subsurface::new(world, settings.quality),
             photons: None,
             spare_nearby: Vec::new(),
+            photons_of_late: Neighbourhoods::default(),
             collects: false,
             lens: None,
             camera_inside: None,
@@ -180,6 +183,7 @@ impl<'w> Tracer<'w> {
 
     /// Called before each block of the picture: what is kept from pixel to pixel depends on it alone.
     pub fn begin_block(&mut self, serial: usize) {
+        self.photons_of_late.clear();
         if let Some(radiosity) = &mut self.radiosity {
             radiosity.begin_block(serial);
         }

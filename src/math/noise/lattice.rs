@@ -81,7 +81,12 @@ pub(super) fn places([ix, iy, iz]: [u32; 3]) -> [u8; 8] {
     let (x, y, z) = (ends(ix), ends(iy), ends(iz));
     let (h0, h1) = (hash(x[0]), hash(x[1]));
     let rows = [hash(h0 ^ y[0]), hash(h0 ^ y[1]), hash(h1 ^ y[0]), hash(h1 ^ y[1])];
-    std::array::from_fn(|c| low(rows[c >> 1] ^ z[c & 1]))
+    let mut places = [0; 8];
+    // A closure handed on would not be compiled into vector code.
+    for (pair, row) in places.as_chunks_mut::<2>().0.iter_mut().zip(rows) {
+        *pair = [low(row ^ z[0]), low(row ^ z[1])];
+    }
+    places
 }
 
 impl Cell {

@@ -96,7 +96,12 @@ fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [f64; N] {
     corner!(5, 0b10_10_10_10, 0b1010);
     corner!(6, 0b11_11_11_11, 0b0110);
     corner!(7, 0b11_11_11_11, 0b1110);
-    sums.map(|[even, odd]| across(_mm256_add_pd(even, odd)))
+    // A closure would not be compiled into what calls it.
+    let mut out = [0.0; N];
+    for (out, [even, odd]) in out.iter_mut().zip(sums) {
+        *out = across(_mm256_add_pd(even, odd));
+    }
+    out
 }
 
 /// Lanes 0 and 2, and lanes 1 and 3; then both.

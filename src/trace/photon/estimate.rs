@@ -7,6 +7,7 @@ use super::super::direct::Look;
 use super::super::media::Stretch;
 use super::super::shade::Site;
 use super::super::tracer::Tracer;
+use super::map::Metric;
 use super::{Nearby, Photons};
 use crate::color::Rgb;
 use crate::math::Vec3;
@@ -18,6 +19,9 @@ const LEAST_COSINE: f64 = 0.1;
 
 /// The second search reaches this much farther.
 const WIDER: f64 = 3.0;
+
+/// Searches pass by a few photons: so many are clearly more, as a share.
+const CLEARLY: usize = 8;
 
 /// Densities below count as this.
 const NO_DENSITY: f64 = 1e-16;
@@ -62,14 +66,18 @@ impl Tracer<'_> {
         let Some(photons) = self.photons.clone() else { return nearby };
         let s = &photons.settings;
         let most = s.gather_max as usize;
-        photons.surface.gather(point, photons.surface_radius, most, Some(normal), &mut nearby);
+        let late = &mut self.photons_of_late;
+        photons.surface.gather_near(point, photons.surface_radius, most, Some(normal), &mut nearby, late);
         if nearby.members.len() >= s.gather_min as usize {
             return nearby;
         }
+        if is_crowded(&photons, &nearby, &Metric::new(point, Some(normal))) {
+            return nearby;
+        }
         let mut wider = self.spare_nearby.pop().unwrap_or_default();
-        photons.surface.gather(point, WIDER * photons.surface_radius, most, Some(normal), &mut wider);
-        let density = |n: &Nearby| n.members.len() as f64 / (n.radius * n.radius);
-        let before = density(&nearby).max(NO_DENSITY);
+        let (late, radius) = (&mut self.photons_of_late, WIDER * photons.surface_radius);
+        photons.surface.gather_near(point, radius, most, Some(normal), &mut wider, late);
+        let before = density(&nearby);
         let grows = (density(&wider) - before) / before;
         let some = (1..s.expand_min as usize).contains(&wider.members.len());
         if grows < s.expand_increase || some {
@@ -97,6 +105,21 @@ impl Tracer<'_> {
         self.spare_nearby.push(nearby);
         sum / volume as f32
     }
+}
+
+/// Photons found in a square.
+fn density(found: &Nearby) -> f64 {
+    (found.members.len() as f64 / (found.radius * found.radius)).max(NO_DENSITY)
+}
+
+/// Whether so many photons lie farther around that the second search is in vain, whichever of them are the nearest:
+/// it would be full, and its photons too dense.
+fn is_crowded(photons: &Photons, found: &Nearby, metric: &Metric) -> bool {
+    let s = &photons.settings;
+    let most = s.gather_max as usize;
+    let dense = (most as f64 / ((1.0 + s.expand_increase) * density(found))).sqrt();
+    let radius = dense.min(WIDER * photons.surface_radius);
+    s.gather_max >= s.expand_min && photons.surface.has(most + most / CLEARLY, metric, radius)
 }
 
 /// Direction and light of each photon that reaches the layer, and whether it does so from behind.

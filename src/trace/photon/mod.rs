@@ -7,15 +7,18 @@
 //! reference's one-thread order.
 
 mod aim;
+mod crowd;
 mod estimate;
 mod follow;
 mod map;
 mod media;
+mod neighbourhood;
 mod order;
 mod radius;
 
 pub use aim::{Kinds, Stream};
 pub use map::{Nearby, PhotonMap};
+pub use neighbourhood::Neighbourhoods;
 
 use super::{Settings, Tracer};
 use crate::light::{PackedPhoton, PhotonFile};

@@ -235,6 +235,7 @@ impl Tracer<'_> {
     }
 
     fn begin_tile(&mut self, next: &[usize]) {
+        self.photons_of_late.clear();
         if let Some(r) = &mut self.radiosity {
             r.own.clear();
             r.next.copy_from_slice(next);

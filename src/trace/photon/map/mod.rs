@@ -7,9 +7,11 @@
 //!
 //! Reference: H. W. Jensen, "Realistic Image Synthesis Using Photon Mapping", 2001, chapter 6.
 
+use super::neighbourhood::Scratch;
 use super::order::ordered;
 use crate::light::PackedPhoton;
 use crate::math::Vec3;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The tree. Knows nothing of how photons came about.
@@ -18,10 +20,10 @@ pub struct PhotonMap {
     photons: Vec<PackedPhoton>,
     /// Coordinates once more, by axis: a search reads many and keeps few.
     places: [Vec<f32>; 3],
-    /// In small parts: which photon's plane, counted from 1, this one stands on the wrong side of.
-    astray: Vec<u8>,
+    /// Which photon's plane, counted from this one, it stands on the wrong side of; 0 if none.
+    astray: Vec<i32>,
     /// Ranges of the tree, each before those below it, the lower one first.
-    parts: Vec<Part>,
+    pub(super) parts: Vec<Part>,
     /// How far searches from the middles of small parts go, once one has asked.
     reaches: Vec<Reach>,
 }
@@ -44,13 +46,13 @@ impl Reach {
 
 /// A range of the tree and the box around its photons.
 #[derive(Clone, Copy, Debug)]
-struct Part {
-    low: glam::Vec3,
-    high: glam::Vec3,
-    first: u32,
-    count: u32,
+pub(super) struct Part {
+    pub low: glam::Vec3,
+    pub high: glam::Vec3,
+    pub first: u32,
+    pub count: u32,
     /// The part of the upper half; 0 where photons are looked at one by one.
-    upper: u32,
+    pub upper: u32,
     /// Place in `PhotonMap::reaches`, of parts that are looked at one by one.
     reach: u32,
     /// What the middle photon's plane lies across.
@@ -64,40 +66,44 @@ pub struct Nearby {
     pub members: Vec<(f64, u32)>,
     /// How far the search went in the end.
     pub radius: f64,
-    keys: Vec<f64>,
+    pub(super) scratch: Scratch,
 }
 
 /// Ranges up to this many photons are looked at one by one.
-const LEAF: usize = 16;
+pub(super) const LEAF: usize = 16;
 
 /// How far is looked first.
 const MARGIN: f64 = 1.06;
 const PART_OF_WAY: f64 = 0.25;
 
 /// No search goes farther.
-const EVERYWHERE: f64 = 1e15;
+pub(super) const EVERYWHERE: f64 = 1e15;
 
 /// Parts of the largest squared distance, to find the farthest photons by.
-const BUCKETS: usize = 64;
+pub(super) const BUCKETS: usize = 64;
 
 /// Stands on the wrong side of several planes.
-const OFTEN: u8 = u8::MAX;
+const OFTEN: i32 = i32::MAX;
 
 /// More halvings than any tree has.
 const DEEPEST: usize = 32;
 
 /// How far photons are from a point.
-struct Metric {
-    point: Vec3,
+pub(super) struct Metric {
+    pub point: Vec3,
     /// 16 times the normal of a plane; photons off it count as farther away.
-    normal: Vec3,
+    pub normal: Vec3,
 }
 
 /// How much farther off-plane photons count.
 const FLATTENING: f64 = 16.0;
 
 impl Metric {
-    fn square(&self, away: Vec3) -> f64 {
+    pub fn new(point: Vec3, normal: Option<Vec3>) -> Self {
+        Self { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) }
+    }
+
+    pub fn square(&self, away: Vec3) -> f64 {
         away.length_squared() * (1.0 + self.normal.dot(away).abs())
     }
 }
@@ -132,10 +138,7 @@ impl PhotonMap {
         let places = [0, 1, 2].map(|axis| photons.iter().map(|p| p.place[axis]).collect());
         let (mut parts, mut astray) = (Vec::new(), vec![0; photons.len()]);
         part(&photons, 0, &mut parts);
-        for leaf in parts.iter().filter(|p| p.upper == 0) {
-            let range = leaf.first as usize..(leaf.first + leaf.count) as usize;
-            find_astray(&photons[range.clone()], 0, &mut astray[range]);
-        }
+        find_astray(&photons, &mut astray);
         let small = parts.iter_mut().filter(|p| p.upper == 0);
         let count = small.enumerate().map(|(i, p)| p.reach = i as u32).count();
         let reaches = (0..count).map(|_| Reach::default()).collect();
@@ -152,21 +155,39 @@ impl PhotonMap {
 
     /// At most `most` photons within `radius` of `point`, into `found`.
     pub fn gather(&self, point: Vec3, radius: f64, most: usize, normal: Option<Vec3>, found: &mut Nearby) {
+        self.gather_from(&Metric::new(point, normal), radius, most, f64::INFINITY, found);
+    }
+
+    /// The same, where `guess` is likely to reach enough photons.
+    pub(super) fn gather_from(
+        &self,
+        metric: &Metric,
+        radius: f64,
+        most: usize,
+        guess: f64,
+        found: &mut Nearby,
+    ) {
         found.members.clear();
         found.radius = radius;
         if most == 0 || self.photons.is_empty() {
             return;
         }
-        let metric = Metric { point, normal: FLATTENING * normal.unwrap_or(Vec3::ZERO) };
-        let (reach, away) = self.reach_near(point, most, found);
+        let within = |hint: f64, found: &mut Nearby| {
+            found.members.clear();
+            hint < radius && self.search(metric, (hint, radius), most, found)
+        };
+        if within(guess, found) {
+            return;
+        }
+        let (reach, away) = self.reach_near(metric.point, most, found);
         for hint in [MARGIN * reach + PART_OF_WAY * away, reach + away] {
-            if hint < radius && self.search(&metric, (hint, radius), most, found) {
+            if within(hint, found) {
                 return;
             }
-            found.members.clear();
         }
+        found.members.clear();
         found.radius = radius;
-        self.search(&metric, (radius, radius), most, found);
+        self.search(metric, (radius, radius), most, found);
     }
 
     /// How far a search from the middle of the part around `point` goes, and how far away the middle is. Their sum
@@ -197,9 +218,57 @@ impl PhotonMap {
         (radius, (point - center).length())
     }
 
+    /// Coordinates of a range of photons.
+    #[inline]
+    pub(super) fn places_of(&self, range: &Range<u32>) -> [&[f32]; 3] {
+        let range = range.start as usize..range.end as usize;
+        [&self.places[0][range.clone()], &self.places[1][range.clone()], &self.places[2][range]]
+    }
+
+    /// Whether a search from `point` that ends at squared distance `limit` is sure to come by photon `i`: one that
+    /// is filed on the far side of a plane though it stands on the near one is found only if the search goes as
+    /// far as the plane.
+    #[inline]
+    pub(super) fn is_met(&self, i: usize, point: Vec3, limit: f64) -> bool {
+        match self.astray[i] {
+            0 => true,
+            OFTEN => self.is_met_through_all(i, point, limit),
+            n => !self.is_hidden(i, i.wrapping_add_signed(n as isize), point, limit),
+        }
+    }
+
+    /// Whether photon `i` is filed behind the plane of another, at which the search ends.
+    #[inline]
+    fn is_hidden(&self, i: usize, plane: usize, point: Vec3, limit: f64) -> bool {
+        let axis = split_axis(&self.photons[plane]);
+        let along = f64::from(self.places[axis][plane]) - point[axis];
+        (along > 0.0) == (i > plane) && along * along >= limit
+    }
+
+    /// [`PhotonMap::is_met`] for any photon, by all planes above it.
+    fn is_met_through_all(&self, i: usize, point: Vec3, limit: f64) -> bool {
+        let (mut first, mut end) = (0, self.photons.len());
+        loop {
+            let middle = first + (end - first - 1) / 2;
+            if middle == i {
+                return true;
+            }
+            if self.is_hidden(i, middle, point, limit) {
+                return false;
+            }
+            (first, end) = if i < middle { (first, middle) } else { (middle + 1, end) };
+        }
+    }
+
     /// Whether there are more than `most` photons within the first radius; the second is the one asked for.
-    fn search(&self, metric: &Metric, (radius, whole): (f64, f64), most: usize, found: &mut Nearby) -> bool {
-        let (near, members, keys) = (metric.point.as_vec3(), &mut found.members, &mut found.keys);
+    pub(super) fn search(
+        &self,
+        metric: &Metric,
+        (radius, whole): (f64, f64),
+        most: usize,
+        found: &mut Nearby,
+    ) -> bool {
+        let (near, members, keys) = (metric.point.as_vec3(), &mut found.members, &mut found.scratch.keys);
         let metric = Metric { ..*metric };
         let mut search = Search {
             map: self,
@@ -226,7 +295,7 @@ impl PhotonMap {
 
     /// Where photon `i` lies, seen from `p`.
     #[inline]
-    fn away(&self, i: usize, p: Vec3) -> Vec3 {
+    pub(super) fn away(&self, i: usize, p: Vec3) -> Vec3 {
         let [x, y, z] = &self.places;
         Vec3::new(f64::from(x[i]), f64::from(y[i]), f64::from(z[i])) - p
     }
@@ -240,7 +309,7 @@ impl Part {
 
     /// Squared distance of the box from `p`.
     #[inline]
-    fn distance(&self, p: Vec3) -> f64 {
+    pub fn distance(&self, p: Vec3) -> f64 {
         let outside = (self.low.as_dvec3() - p).max(p - self.high.as_dvec3()).max(Vec3::ZERO);
         outside.length_squared()
     }
@@ -310,7 +379,7 @@ impl Search<'_> {
                 if square >= self.limit {
                     continue;
                 }
-                if self.map.astray[place] != 0 && self.may_pass_by(part, i, square) {
+                if !self.map.is_met(place, self.metric.point, square) {
                     self.found.truncate(first);
                     self.walk(part.first, part.count);
                     break;
@@ -319,22 +388,6 @@ impl Search<'_> {
             }
         }
         self.make_room();
-    }
-
-    /// Whether photon `i` of a part, `square` away, may be passed by: it is filed on the far side of a plane though
-    /// it stands on the near one, and is found only if the plane is near enough.
-    #[inline]
-    fn may_pass_by(&self, part: &Part, i: usize, square: f64) -> bool {
-        match self.map.astray[part.first as usize + i] {
-            OFTEN => true,
-            n => {
-                let plane = usize::from(n) - 1;
-                let at = part.first as usize + plane;
-                let axis = split_axis(&self.map.photons[at]);
-                let along = f64::from(self.map.places[axis][at]) - self.metric.point[axis];
-                (along > 0.0) == (i > plane) && along * along > square
-            }
-        }
     }
 
     /// The photons of a small part in the order of the tree.
@@ -406,7 +459,7 @@ impl Search<'_> {
 }
 
 /// More than rounding to single precision changes a distance by, as a share of the numbers that go into it.
-const SINGLE: f64 = 1e-6;
+pub(super) const SINGLE: f64 = 1e-6;
 
 /// Appends the parts of a range of the tree that begins at `first`.
 fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
@@ -442,9 +495,8 @@ fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
     parts[at].upper = upper as u32;
 }
 
-/// Marks photons of a small part that stand on the wrong side of a plane in it; `first` is the place in the part
-/// where this range of it begins.
-fn find_astray(photons: &[PackedPhoton], first: u8, astray: &mut [u8]) {
+/// Marks photons that stand on the wrong side of a plane.
+fn find_astray(photons: &[PackedPhoton], astray: &mut [i32]) {
     if photons.len() < 2 {
         return;
     }
@@ -453,12 +505,12 @@ fn find_astray(photons: &[PackedPhoton], first: u8, astray: &mut [u8]) {
     for (i, p) in photons.iter().enumerate() {
         let (at, plane) = (p.place[axis], photons[middle].place[axis]);
         if if i < middle { at > plane } else { at < plane } {
-            astray[i] = if astray[i] == 0 { first + middle as u8 + 1 } else { OFTEN };
+            astray[i] = if astray[i] == 0 { middle as i32 - i as i32 } else { OFTEN };
         }
     }
     let (low, high) = astray.split_at_mut(middle);
-    find_astray(&photons[..middle], first, low);
-    find_astray(&photons[middle + 1..], first + middle as u8 + 1, &mut high[1..]);
+    find_astray(&photons[..middle], low);
+    find_astray(&photons[middle + 1..], &mut high[1..]);
 }
 
 fn split_axis(photon: &PackedPhoton) -> usize {
@@ -466,4 +518,4 @@ fn split_axis(photon: &PackedPhoton) -> usize {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -1,0 +1,330 @@
+//! Searches for photons near those before.
+//!
+//! Points near each other ask for nearly the same photons. Where two searches in a row were near each other, the
+//! ranges of the tree that a ball around them touches are kept. Later searches inside the ball look through those,
+//! four photons at a time in single precision, count distances by bucket, and measure exactly only the photons on
+//! the rim. What is found is what the search through the tree finds; where that is not sure, it is left to it.
+
+use super::map::{BUCKETS, Metric, Nearby, PhotonMap, SINGLE};
+use crate::math::Vec3;
+use std::ops::Range;
+
+/// The photons in a ball.
+#[derive(Debug)]
+struct Neighbourhood {
+    center: Vec3,
+    /// Of the ball.
+    reach: f64,
+    /// Searches in the ball mostly go this far; infinite if they did not find as many photons as wanted.
+    radius: f64,
+    /// Searches are for so many photons.
+    most: usize,
+    /// Parts of the tree that hold all photons of the ball.
+    ranges: Vec<Range<u32>>,
+    count: usize,
+}
+
+/// Neighbourhoods of late; forgotten at the beginning of every block, as they decide in which order light is added.
+#[derive(Debug, Default)]
+pub struct Neighbourhoods {
+    kept: Vec<Neighbourhood>,
+    /// The next to be given up.
+    oldest: usize,
+    /// Where the last search through the tree was, and how far it went.
+    last: Option<(Vec3, f64)>,
+}
+
+/// Neighbourhoods that are kept.
+const KEPT: usize = 12;
+
+/// A ball's radius, in radii of the search in its middle, and in radii asked for where that found few.
+const BALL: f64 = 1.5;
+const SPARSE_BALL: f64 = 1.25;
+
+/// Searches go at most so much farther than the one in the middle, or nearly.
+const GROWTH: f64 = 1.03;
+
+/// A search for the nearest begins so much farther out than it must: what is filed on the wrong side of a plane on
+/// the rim is found as the reference finds it.
+const GUESS: f64 = 1.15;
+
+/// Searches this near to each other, in radii, are followed by others.
+const NEAR: f64 = 0.4;
+
+/// With more photons than this many searches find, a neighbourhood does not pay.
+const CROWDED: usize = 6;
+
+/// What searches use again and again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// Squared distances in the way of a search through the tree.
+    pub keys: Vec<f64>,
+    squares: Vec<f32>,
+    rim: Vec<(f64, u32)>,
+}
+
+impl Neighbourhoods {
+    pub fn clear(&mut self) {
+        (self.oldest, self.last) = (0, None);
+        self.kept.clear();
+    }
+
+    /// The smallest that holds what a search from `point` is likely to find.
+    fn around(&self, point: Vec3, radius: f64, most: usize) -> Option<(&Neighbourhood, f64)> {
+        let reaching = self.kept.iter().filter_map(|n| {
+            let complete = n.reach - (point - n.center).length();
+            (n.most == most && complete >= radius.min(GROWTH * n.radius)).then_some((n, complete))
+        });
+        reaching.min_by_key(|(n, _)| n.count)
+    }
+
+    fn keep(&mut self, new: Neighbourhood) {
+        if self.kept.len() < KEPT {
+            self.kept.push(new);
+        } else {
+            self.kept[self.oldest] = new;
+            self.oldest = (self.oldest + 1) % KEPT;
+        }
+    }
+}
+
+impl PhotonMap {
+    /// As [`PhotonMap::gather`], with what searches before this one learned.
+    pub fn gather_near(
+        &self,
+        point: Vec3,
+        radius: f64,
+        most: usize,
+        normal: Option<Vec3>,
+        found: &mut Nearby,
+        late: &mut Neighbourhoods,
+    ) {
+        if let Some((around, complete)) = late.around(point, radius, most)
+            && self.gather_in(around, complete, &Metric::new(point, normal), radius, found)
+        {
+            return;
+        }
+        let metric = Metric::new(point, normal);
+        let near = late.last.map(|(p, r)| (r, (p - point).length())).filter(|(r, away)| away < r);
+        self.gather_from(
+            &metric,
+            radius,
+            most,
+            near.map_or(f64::INFINITY, |(r, away)| GUESS * (r + away)),
+            found,
+        );
+        late.last = Some((point, found.radius));
+        if near.is_some_and(|(r, away)| away < NEAR * r) {
+            let is_full = found.members.len() >= most;
+            let reach = if is_full { BALL * found.radius } else { SPARSE_BALL * radius };
+            let radius = if is_full { found.radius } else { f64::INFINITY };
+            let mut ranges = Vec::new();
+            self.near_ranges(0, point, reach * reach, &mut ranges);
+            let count = ranges.iter().map(Range::len).sum();
+            if count <= CROWDED * most {
+                late.keep(Neighbourhood { center: point, reach, radius, most, ranges, count });
+            }
+        }
+    }
+
+    /// The search in a neighbourhood, which is complete as far as `complete`; false if the tree has to be searched.
+    fn gather_in(
+        &self,
+        around: &Neighbourhood,
+        complete: f64,
+        metric: &Metric,
+        radius: f64,
+        found: &mut Nearby,
+    ) -> bool {
+        found.radius = radius;
+        let limit = radius.min(complete);
+        let search = BallSearch { map: self, metric, around, square: limit * limit };
+        search.run(limit == radius, found)
+    }
+
+    /// Ranges of photons that a ball may hold, those side by side as one.
+    fn near_ranges(&self, at: usize, center: Vec3, square: f64, ranges: &mut Vec<Range<u32>>) {
+        let part = &self.parts[at];
+        if part.distance(center) > square {
+            return;
+        }
+        let mut add = |first: u32, end: u32| match ranges.last_mut() {
+            Some(last) if last.end == first => last.end = end,
+            _ => ranges.push(first..end),
+        };
+        if part.upper == 0 {
+            add(part.first, part.first + part.count);
+            return;
+        }
+        let middle = part.first + (part.count - 1) / 2;
+        self.near_ranges(at + 1, center, square, ranges);
+        if self.away(middle as usize, center).length_squared() <= square {
+            match ranges.last_mut() {
+                Some(last) if last.end == middle => last.end = middle + 1,
+                _ => ranges.push(middle..middle + 1),
+            }
+        }
+        self.near_ranges(part.upper as usize, center, square, ranges);
+    }
+}
+
+/// One search.
+struct BallSearch<'a> {
+    map: &'a PhotonMap,
+    metric: &'a Metric,
+    around: &'a Neighbourhood,
+    /// All photons less than this squared distance away are in the ranges.
+    square: f64,
+}
+
+impl BallSearch<'_> {
+    /// False if the tree has to be searched. `is_whole` if the search asked for goes no farther.
+    fn run(&self, is_whole: bool, found: &mut Nearby) -> bool {
+        let scale = BUCKETS as f32 / self.square as f32;
+        let counts = self.measure(scale, &mut found.scratch.squares);
+        let most = self.around.most;
+        let sure: u32 = counts[..BUCKETS - 1].iter().sum();
+        let error = self.error();
+        if sure as usize <= most {
+            let rim = (self.square - error) as f32..(self.square + error) as f32;
+            let inner = self.collect(rim, found);
+            let Nearby { scratch, members, .. } = found;
+            members.extend(scratch.rim.iter().filter(|r| r.0 < self.square));
+            return is_whole
+                && inner <= most
+                && members.len() <= most
+                && self.is_certain(members, self.square);
+        }
+        let (mut last, mut rank) = (0, most as u32);
+        while rank > counts[last] {
+            rank -= counts[last];
+            last += 1;
+        }
+        let width = self.square / BUCKETS as f64;
+        let rim = (last as f64 * width - error) as f32..((last + 1) as f64 * width + error) as f32;
+        let inner = self.collect(rim, found);
+        let Nearby { scratch, members, radius } = found;
+        let rim = &mut scratch.rim;
+        if inner >= most || inner + rim.len() < most {
+            return false;
+        }
+        let missing = most - inner;
+        let (_, &mut (farthest, _), others) =
+            rim.select_nth_unstable_by(missing - 1, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        // Of equal ones the tree keeps those that it meets first.
+        if others.iter().any(|o| o.0 == farthest) {
+            return false;
+        }
+        rim[..missing].sort_unstable_by_key(|r| r.1);
+        members.extend_from_slice(&rim[..missing]);
+        *radius = farthest.sqrt();
+        self.is_certain(members, farthest)
+    }
+
+    /// Bound on the error of squared distances in single precision.
+    fn error(&self) -> f64 {
+        let radius = self.square.sqrt();
+        let slope = 1.0 + self.metric.normal.length() * radius;
+        let shift = SINGLE * (self.metric.point.abs().max_element() + radius);
+        (2.0 * slope * shift * (radius + shift) + SINGLE * slope * self.square) * 2.0
+    }
+
+    /// Squared distances of all photons, and how many fall in each bucket; the last counter is for those beyond.
+    fn measure(&self, scale: f32, squares: &mut Vec<f32>) -> [u32; BUCKETS + 1] {
+        squares.resize(self.around.count, 0.0);
+        let (p, n) = (self.metric.point.as_vec3(), self.metric.normal.as_vec3());
+        let mut rest = &mut squares[..];
+        for range in &self.around.ranges {
+            let (now, later) = rest.split_at_mut(range.len());
+            rest = later;
+            let [x, y, z] = self.map.places_of(range);
+            for (((square, x), y), z) in now.iter_mut().zip(x).zip(y).zip(z) {
+                let (x, y, z) = (x - p.x, y - p.y, z - p.z);
+                *square = (x * x + y * y + z * z) * (1.0 + (n.x * x + n.y * y + n.z * z).abs());
+            }
+        }
+        let mut counts = [0; BUCKETS + 1];
+        for &square in squares.iter() {
+            counts[((square * scale) as i32 as usize).min(BUCKETS)] += 1;
+        }
+        counts
+    }
+
+    /// Takes photons nearer than the rim; those on the rim are measured and set aside. How many there were.
+    fn collect(&self, rim: Range<f32>, found: &mut Nearby) -> usize {
+        let Nearby { scratch, members, .. } = found;
+        members.clear();
+        scratch.rim.clear();
+        let mut rest = &scratch.squares[..];
+        for range in &self.around.ranges {
+            let (now, later) = rest.split_at(range.len());
+            rest = later;
+            for (place, &square) in range.clone().zip(now) {
+                if square < rim.start {
+                    members.push((f64::from(square), place));
+                } else if square <= rim.end {
+                    let away = self.map.away(place as usize, self.metric.point);
+                    scratch.rim.push((self.metric.square(away), place));
+                }
+            }
+        }
+        members.len()
+    }
+
+    /// Whether the search through the tree, which ends at squared distance `limit`, passes none of these by.
+    fn is_certain(&self, members: &[(f64, u32)], limit: f64) -> bool {
+        members.iter().all(|&(_, place)| self.map.is_met(place as usize, self.metric.point, limit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::map::tests::{on_a_plane, scattered};
+    use super::*;
+    use crate::light::PackedPhoton;
+
+    /// Searches that a neighbourhood answers, and how many of them differ from those through the tree.
+    fn answered(
+        photons: Vec<PackedPhoton>,
+        radius: f64,
+        most: usize,
+        normal: Option<Vec3>,
+    ) -> (usize, usize) {
+        let map = PhotonMap::new(photons);
+        let (mut late, mut answered, mut different) = (Neighbourhoods::default(), 0, 0);
+        for i in 0..600 {
+            let f = f64::from(i);
+            let point = Vec3::new((f * 0.02).sin() * 3.0, 0.0, (f * 0.013).sin() * 2.0);
+            let (mut quick, mut slow) = (Nearby::default(), Nearby { radius, ..Nearby::default() });
+            let metric = Metric::new(point, normal);
+            let known = late.around(point, radius, most);
+            if !known.is_some_and(|(around, complete)| {
+                map.gather_in(around, complete, &metric, radius, &mut quick)
+            }) {
+                map.gather_near(point, radius, most, normal, &mut quick, &mut late);
+                continue;
+            }
+            answered += 1;
+            map.search(&metric, (radius, radius), most, &mut slow);
+            let places = |n: &Nearby| {
+                let mut places: Vec<u32> = n.members.iter().map(|m| m.1).collect();
+                places.sort_unstable();
+                places
+            };
+            different += usize::from(places(&quick) != places(&slow) || quick.radius != slow.radius);
+        }
+        (answered, different)
+    }
+
+    #[test]
+    fn neighbourhoods_find_what_the_tree_finds() {
+        for normal in [None, Some(Vec3::Y)] {
+            for (radius, most) in [(0.3, 40), (1.0, 40), (10.0, 40), (2.0, 100)] {
+                let on_a_plane = answered(on_a_plane(4000), radius, most, normal);
+                assert!(on_a_plane.0 > 200, "{radius} {most} {normal:?}: {on_a_plane:?}");
+                let in_space = answered(scattered(5000), radius, most, normal);
+                assert_eq!((on_a_plane.1, in_space.1), (0, 0), "{radius} {most} {normal:?}");
+            }
+        }
+    }
+}
