@@ -118,13 +118,13 @@ fn in_cell(kind: &Kind, part: &Aabb, corner: Vec3) -> (Range, [Range; 3]) {
 
 /// The ranges of the differences between the two ends of each axis.
 fn steps(weights: &[[f64; 2]; 3], values: &[Range; 8]) -> [Range; 4] {
-    /// The corners at the lower end of each axis.
-    const LOWER: [[usize; 4]; 3] = [[0, 1, 2, 3], [0, 1, 4, 5], [0, 2, 4, 6]];
+    /// Corners at the lower end of each axis.
+    const LOWER: [[usize; 3]; 4] = [[0, 0, 0], [1, 1, 2], [2, 4, 4], [3, 5, 6]];
     let mut averages = Averages::NONE;
-    for i in 0..4 {
+    for lower in LOWER {
         let (mut weight, mut low, mut high) = ([0.0; 4], [0.0; 4], [0.0; 4]);
         for axis in 0..3 {
-            let c = LOWER[axis][i];
+            let c = lower[axis];
             let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
             let opposite = values[c | 4 >> axis];
             weight[axis] = weights[a][digit(c, a)] * weights[b][digit(c, b)];
