@@ -26,15 +26,12 @@ pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out:
 
 /// See [`vector_octaves`](super::vector_octaves).
 pub fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
-    let term = |scale: f64| {
+    let (mut sum, mut scale, mut weight) = (Vec3::ZERO, 1.0, 1.0);
+    for _ in 0..count {
         let term = vector_noise(scale * p);
-        if absolute { term.abs() } else { term }
-    };
-    let (mut sum, mut scale, mut weight) = (term(1.0), 1.0, 1.0);
-    for _ in 1..count {
+        sum += weight * if absolute { term.abs() } else { term };
         scale *= lambda;
         weight *= omega;
-        sum += weight * term(scale);
     }
     sum
 }

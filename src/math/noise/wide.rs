@@ -66,12 +66,12 @@ fn weights(f: __m256d) -> [__m256d; 2] {
     [_mm256_mul_pd(xy, z[0]), _mm256_mul_pd(xy, z[1])]
 }
 
-/// `N` components of lattice noise.
+/// `N` components of lattice noise: each is the sum of a vector's lanes, see [`across`].
 ///
 /// Whoever calls it has a `COPY` of its own, which the compiler then puts in its place.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [f64; N] {
+fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [__m256d; N] {
     let (cell, f) = split(p);
     let places = lattice::places(cell);
     let near = _mm256_blend_pd::<1>(f, _mm256_set1_pd(0.5));
@@ -97,9 +97,9 @@ fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [f64; N] {
     corner!(6, 0b11_11_11_11, 0b0110);
     corner!(7, 0b11_11_11_11, 0b1110);
     // A closure would not be compiled into what calls it.
-    let mut out = [0.0; N];
+    let mut out = [_mm256_setzero_pd(); N];
     for (out, [even, odd]) in out.iter_mut().zip(sums) {
-        *out = across(_mm256_add_pd(even, odd));
+        *out = _mm256_add_pd(even, odd);
     }
     out
 }
@@ -110,6 +110,30 @@ fn sums<const N: usize, const COPY: u8>(p: __m256d) -> [f64; N] {
 fn across(v: __m256d) -> f64 {
     let pair = _mm_add_pd(_mm256_castpd256_pd128(v), _mm256_extractf128_pd::<1>(v));
     _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)))
+}
+
+/// The same of three vectors; the fourth lane means nothing.
+#[target_feature(enable = "avx2")]
+#[inline]
+fn each_across([a, b, c]: [__m256d; 3]) -> __m256d {
+    // Lanes 0, and lanes 2, of a and b; and so on.
+    let (even, odd) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+    let (even_c, odd_c) = (_mm256_unpacklo_pd(c, c), _mm256_unpackhi_pd(c, c));
+    let even = _mm256_add_pd(
+        _mm256_permute2f128_pd::<0x20>(even, even_c),
+        _mm256_permute2f128_pd::<0x31>(even, even_c),
+    );
+    let odd =
+        _mm256_add_pd(_mm256_permute2f128_pd::<0x20>(odd, odd_c), _mm256_permute2f128_pd::<0x31>(odd, odd_c));
+    _mm256_add_pd(even, odd)
+}
+
+#[target_feature(enable = "avx2")]
+#[inline]
+fn vector(v: __m256d) -> Vec3 {
+    let low = _mm256_castpd256_pd128(v);
+    let z = _mm_cvtsd_f64(_mm256_extractf128_pd::<1>(v));
+    Vec3::new(_mm_cvtsd_f64(low), _mm_cvtsd_f64(_mm_unpackhi_pd(low, low)), z)
 }
 
 /// The sum of gradient noise: lane `j` of a vector goes with column (j & 1, j >> 1). `COPY` as above.
@@ -163,7 +187,8 @@ fn dots(g: [&[f64; 4]; 4], d: [__m256d; 4]) -> __m256d {
 #[target_feature(enable = "avx2")]
 pub(super) fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
     let p = place(p);
-    let sum = if generator == NoiseGenerator::Perlin { gradient_sum::<0>(p) } else { sums::<1, 0>(p)[0] };
+    let sum =
+        if generator == NoiseGenerator::Perlin { gradient_sum::<0>(p) } else { across(sums::<1, 0>(p)[0]) };
     generator.level(sum)
 }
 
@@ -186,7 +211,8 @@ pub(super) fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerato
 fn lattice_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
     let mut scale = first;
     for value in out {
-        [*value] = sums::<1, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p));
+        let [sum] = sums::<1, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p));
+        *value = across(sum);
         scale *= lambda;
     }
 }
@@ -204,22 +230,23 @@ fn gradient_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
 /// See [`vector_noise`](super::vector_noise).
 #[target_feature(enable = "avx2")]
 pub(super) fn vector_noise(p: Vec3) -> Vec3 {
-    Vec3::from_array(sums::<3, 0>(place(p)))
+    vector(each_across(sums::<3, 0>(place(p))))
 }
 
 /// See [`vector_octaves`](super::vector_octaves).
 #[target_feature(enable = "avx2")]
 pub(super) fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
     let (p, mut scale, mut weight) = (place(p), 1.0, 1.0);
-    let mut sum = Vec3::ZERO;
-    for octave in 0..count {
-        let term = Vec3::from_array(sums::<3, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p)));
-        let term = if absolute { term.abs() } else { term };
-        sum = if octave == 0 { term } else { sum + weight * term };
+    let signs = if absolute { _mm256_set1_pd(-0.0) } else { _mm256_setzero_pd() };
+    let mut sum = _mm256_setzero_pd();
+    for _ in 0..count {
+        let term = each_across(sums::<3, 1>(_mm256_mul_pd(_mm256_set1_pd(scale), p)));
+        let term = _mm256_andnot_pd(signs, term);
+        sum = _mm256_add_pd(sum, _mm256_mul_pd(_mm256_set1_pd(weight), term));
         scale *= lambda;
         weight *= omega;
     }
-    sum
+    vector(sum)
 }
 
 #[cfg(test)]
