@@ -45,10 +45,14 @@ impl Facets {
                     continue;
                 }
                 let places = cells.group(group);
-                for (_, point) in cells.points(places) {
-                    let distance = self.distance(point - b);
-                    if distance < least {
-                        (least, at) = (distance, point);
+                for [x, y, z] in cells.fours(places) {
+                    for i in 0..4 {
+                        let point = Vec3::new(x[i], y[i], z[i]);
+                        let distance = self.distance(point - b);
+                        // Empty places are infinitely far, which is near where powers fall with distance.
+                        if distance < least && point.x < f64::INFINITY {
+                            (least, at) = (distance, point);
+                        }
                     }
                 }
             }
