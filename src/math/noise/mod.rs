@@ -41,16 +41,17 @@ impl NoiseGenerator {
     }
 }
 
-/// Calls the function of the name in `wide` where the processor has what it needs, else that in `scalar`.
+/// Calls the function of the name in `wide` where the processor has what it needs, else that in `scalar`. The point goes
+/// there as three numbers: one that was just written to memory in parts would be waited for when it is read as a whole.
 macro_rules! fastest {
-    ($function:ident($($argument:expr),*)) => {{
+    ($function:ident($p:ident $(, $argument:expr)*)) => {{
         #[cfg(target_arch = "x86_64")]
         if wide::is_available() {
             // SAFETY: the processor has just been seen to have what `wide` is compiled for.
             #[allow(unsafe_code)]
-            return unsafe { wide::$function($($argument),*) };
+            return unsafe { wide::$function($p.x, $p.y, $p.z $(, $argument)*) };
         }
-        scalar::$function($($argument),*)
+        scalar::$function($p $(, $argument)*)
     }};
 }
 

@@ -17,8 +17,8 @@ pub(super) fn is_available() -> bool {
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn place(p: Vec3) -> __m256d {
-    _mm256_setr_pd(0.0, p.x, p.y, p.z)
+fn place(x: f64, y: f64, z: f64) -> __m256d {
+    _mm256_setr_pd(0.0, x, y, z)
 }
 
 /// The low bits of the floors, of x, y and z; and the fractions.
@@ -185,8 +185,8 @@ fn dots(g: [&[f64; 4]; 4], d: [__m256d; 4]) -> __m256d {
 
 /// See [`noise`](super::noise).
 #[target_feature(enable = "avx2")]
-pub(super) fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
-    let p = place(p);
+pub(super) fn noise(x: f64, y: f64, z: f64, generator: NoiseGenerator) -> f64 {
+    let p = place(x, y, z);
     let sum =
         if generator == NoiseGenerator::Perlin { gradient_sum::<0>(p) } else { across(sums::<1, 0>(p)[0]) };
     generator.level(sum)
@@ -194,8 +194,16 @@ pub(super) fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
 
 /// See [`octaves`](super::octaves).
 #[target_feature(enable = "avx2")]
-pub(super) fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
-    let p = place(p);
+pub(super) fn octaves(
+    x: f64,
+    y: f64,
+    z: f64,
+    first: f64,
+    lambda: f64,
+    generator: NoiseGenerator,
+    out: &mut [f64],
+) {
+    let p = place(x, y, z);
     if generator == NoiseGenerator::Perlin {
         gradient_octaves(p, first, lambda, out);
     } else {
@@ -229,14 +237,21 @@ fn gradient_octaves(p: __m256d, first: f64, lambda: f64, out: &mut [f64]) {
 
 /// See [`vector_noise`](super::vector_noise).
 #[target_feature(enable = "avx2")]
-pub(super) fn vector_noise(p: Vec3) -> Vec3 {
-    vector(each_across(sums::<3, 0>(place(p))))
+pub(super) fn vector_noise(x: f64, y: f64, z: f64) -> Vec3 {
+    vector(each_across(sums::<3, 0>(place(x, y, z))))
 }
 
 /// See [`vector_octaves`](super::vector_octaves).
 #[target_feature(enable = "avx2")]
-pub(super) fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
-    let (p, mut scale, mut weight) = (place(p), 1.0, 1.0);
+pub(super) fn vector_octaves(
+    x: f64,
+    y: f64,
+    z: f64,
+    [lambda, omega]: [f64; 2],
+    count: usize,
+    absolute: bool,
+) -> Vec3 {
+    let (p, mut scale, mut weight) = (place(x, y, z), 1.0, 1.0);
     let signs = if absolute { _mm256_set1_pd(-0.0) } else { _mm256_setzero_pd() };
     let mut sum = _mm256_setzero_pd();
     for _ in 0..count {
