@@ -72,7 +72,8 @@ fn stage(name: &str) -> Folder {
 
 /// What a command line left: `error`, or its files with what they are.
 fn left(line: &str, ini: &str, number: usize, run: impl Fn(&Folder, &[&str]) -> Output) -> String {
-    let folder = stage(&format!("{}-{number}", if ini.is_empty() { "line" } else { "ini" }));
+    // Tests run side by side, with the same numbers.
+    let folder = stage(&format!("line-{number}-{:?}", std::thread::current().id()));
     folder.write("x.ini", ini);
     let words: Vec<_> = line.split(' ').collect();
     // Once before, so that what belongs to the stage is there.
