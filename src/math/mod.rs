@@ -2,6 +2,7 @@
 
 mod aabb;
 mod accelerator;
+mod beam;
 pub mod bvh;
 pub mod chi_square;
 pub mod field;
@@ -21,6 +22,7 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use accelerator::{Accelerator, AnyHit};
+pub use beam::Beam;
 pub use range::Range;
 pub use ray::Ray;
 pub use shaft::Shaft;

@@ -13,6 +13,7 @@
 
 mod build;
 mod chunks;
+mod cut;
 mod shaft;
 mod traverse;
 #[cfg(target_arch = "x86_64")]
@@ -21,6 +22,7 @@ mod wide;
 use super::{Aabb, Accelerator, AnyHit, Range, Ray, Vec3};
 
 pub use build::Quality;
+pub use cut::{Cut, CutTree};
 
 /// How many children a node has.
 const WIDTH: usize = 8;

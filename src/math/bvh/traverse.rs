@@ -73,14 +73,29 @@ impl Bvh {
     /// A result not above `range.min` ends the search.
     #[inline]
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64) -> f64) {
-        let mut visit = visit;
-        self.walk::<true>(ray, range, |leaf, max| self.each_in(leaf, (range.min, max), &mut visit));
+        if let Some(root) = self.nodes.first() {
+            self.traverse_below(root, ray, range, visit);
+        }
+    }
+
+    /// The same from `root` on, which may be of another making.
+    #[inline]
+    pub(super) fn traverse_below(
+        &self,
+        root: &Node,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(u32, f64) -> f64,
+    ) {
+        self.walk::<true>(root, ray, range, |leaf, max| self.each_in(leaf, (range.min, max), &mut visit));
     }
 
     /// The same leaf by leaf: `visit(places, max)` is shown the places in the leaves' order.
     #[inline]
     pub fn traverse_leaves(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
-        self.walk::<true>(ray, range, visit);
+        if let Some(root) = self.nodes.first() {
+            self.walk::<true>(root, ray, range, visit);
+        }
     }
 
     /// Calls `visit` with every primitive whose box the ray may meet inside `range`, in no order, until it
@@ -92,9 +107,21 @@ impl Bvh {
 
     /// The same leaf by leaf.
     #[inline]
-    pub fn any_leaf(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Places) -> bool) -> bool {
+    pub fn any_leaf(&self, ray: &Ray, range: Range, visit: impl FnMut(Places) -> bool) -> bool {
+        self.nodes.first().is_some_and(|root| self.any_leaf_below(root, ray, range, visit))
+    }
+
+    /// The same from `root` on, which may be of another making.
+    #[inline]
+    pub(super) fn any_leaf_below(
+        &self,
+        root: &Node,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(Places) -> bool,
+    ) -> bool {
         let mut found = false;
-        self.walk::<false>(ray, range, |leaf, max| {
+        self.walk::<false>(root, ray, range, |leaf, max| {
             found = visit(leaf);
             if found { f64::NEG_INFINITY } else { max }
         });
@@ -122,27 +149,36 @@ impl Bvh {
     }
 
     #[inline]
-    fn walk<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
-        if self.nodes.is_empty() {
-            return;
-        }
+    pub(super) fn walk<const SORTED: bool>(
+        &self,
+        root: &Node,
+        ray: &Ray,
+        range: Range,
+        visit: impl FnMut(Places, f64) -> f64,
+    ) {
         #[cfg(target_arch = "x86_64")]
         if has_wide() {
             // SAFETY: the processor has just been seen to have what `walk_wide` is compiled for.
             #[allow(unsafe_code)]
             unsafe {
-                self.walk_wide::<SORTED>(ray, range, visit);
+                self.walk_wide::<SORTED>(root, ray, range, visit);
             }
             return;
         }
         let Some(setup) = self.setup(ray, range) else { return };
-        plain::<SORTED>(self, &setup, range, visit);
+        plain::<SORTED>(self, root, &setup, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,fma,popcnt")]
     #[inline]
-    fn walk_wide<const SORTED: bool>(&self, ray: &Ray, range: Range, visit: impl FnMut(Places, f64) -> f64) {
+    fn walk_wide<const SORTED: bool>(
+        &self,
+        root: &Node,
+        ray: &Ray,
+        range: Range,
+        visit: impl FnMut(Places, f64) -> f64,
+    ) {
         let mut setup = Setup::NONE;
         if !self.setup_near(ray, range, &mut setup) {
             match self.setup(ray, range) {
@@ -150,7 +186,7 @@ impl Bvh {
                 None => return,
             }
         }
-        wide::walk::<SORTED>(self, &setup, range, visit);
+        wide::walk::<SORTED>(self, root, &setup, range, visit);
     }
 
     #[inline(never)]
@@ -233,7 +269,7 @@ impl Bvh {
 /// Whether the processor has what the wide traversal is compiled for.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-fn has_wide() -> bool {
+pub(super) fn has_wide() -> bool {
     std::arch::is_x86_feature_detected!("avx2")
         && std::arch::is_x86_feature_detected!("fma")
         && std::arch::is_x86_feature_detected!("popcnt")
@@ -347,32 +383,36 @@ fn limit(bvh: &Bvh, s: &Setup, max: f64) -> f32 {
 }
 
 /// The traversal without wide registers.
-fn plain<const SORTED: bool>(bvh: &Bvh, s: &Setup, range: Range, mut visit: impl FnMut(Places, f64) -> f64) {
+fn plain<const SORTED: bool>(
+    bvh: &Bvh,
+    root: &Node,
+    s: &Setup,
+    range: Range,
+    mut visit: impl FnMut(Places, f64) -> f64,
+) {
     let mut stack = Stack(SmallVec::new());
     let mut reach = InTree::new(bvh, s, range);
     let mut near = [0f32; WIDTH];
-    let mut entry = 0u32;
+    let mut node = root;
     loop {
-        if entry & LEAF != 0 {
-            if !reach.visit_leaf(bvh, s, entry, &mut visit) {
+        let mut mask = slabs(node, s, reach.start, reach.limit, &mut near);
+        let bottom = stack.0.len();
+        while mask != 0 {
+            let i = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            let item = packed(near[i], node.child[i]);
+            // Nearest on top.
+            if SORTED { stack.insert(item, bottom) } else { stack.0.push(item) }
+        }
+        node = loop {
+            let Some(next) = stack.next(reach.limit) else { return };
+            if next & LEAF == 0 {
+                break &bvh.nodes[next as usize];
+            }
+            if !reach.visit_leaf(bvh, s, next, &mut visit) {
                 return;
             }
-        } else {
-            let node = &bvh.nodes[entry as usize];
-            let mut mask = slabs(node, s, reach.start, reach.limit, &mut near);
-            let bottom = stack.0.len();
-            while mask != 0 {
-                let i = mask.trailing_zeros() as usize;
-                mask &= mask - 1;
-                let item = packed(near[i], node.child[i]);
-                // Nearest on top.
-                if SORTED { stack.insert(item, bottom) } else { stack.0.push(item) }
-            }
-        }
-        match stack.next(reach.limit) {
-            Some(next) => entry = next,
-            None => return,
-        }
+        };
     }
 }
 
@@ -405,7 +445,7 @@ pub(super) mod tests {
                     wide
                 });
                 if let Some(setup) = setup {
-                    plain::<true>(&bvh, &setup, Range::FORWARD, |leaf, max| {
+                    plain::<true>(&bvh, &bvh.nodes[0], &setup, Range::FORWARD, |leaf, max| {
                         narrow = leaf.fold(max, |max, i| enter(bvh.primitive(i), max));
                         narrow
                     });

@@ -144,62 +144,73 @@ impl Waiting<'_> {
     }
 }
 
-/// Calls `visit` as [`Bvh::traverse`] says, nearer boxes mostly first if `SORTED`.
+/// Calls `visit` as [`Bvh::traverse`] says, nearer boxes mostly first if `SORTED`, from `root` on.
 #[target_feature(enable = "avx2,fma,popcnt")]
 #[inline]
 pub(super) fn walk<const SORTED: bool>(
     bvh: &Bvh,
+    root: &Node,
     s: &Setup,
     range: Range,
     visit: impl FnMut(Places, f64) -> f64,
 ) {
-    let size = bvh.stack_size + WIDTH;
+    // A root of another making may stand above eight nodes of the tree.
+    let size = bvh.stack_size + 2 * WIDTH;
     if size <= STACK {
         let mut near = [const { MaybeUninit::uninit() }; STACK];
         let mut child = [const { MaybeUninit::uninit() }; STACK];
         let waiting = Waiting { near: &mut near, child: &mut child, top: 0 };
-        return walk_in::<SORTED>(bvh, s, range, waiting, visit);
+        return walk_in::<SORTED>((bvh, root), s, range, waiting, visit);
     }
     let (mut near, mut child) = (vec![MaybeUninit::uninit(); size], vec![MaybeUninit::uninit(); size]);
-    walk_in::<SORTED>(bvh, s, range, Waiting { near: &mut near, child: &mut child, top: 0 }, visit);
+    walk_in::<SORTED>((bvh, root), s, range, Waiting { near: &mut near, child: &mut child, top: 0 }, visit);
 }
 
 #[target_feature(enable = "avx2,fma,popcnt")]
 #[inline]
 fn walk_in<const SORTED: bool>(
-    bvh: &Bvh,
+    (bvh, root): (&Bvh, &Node),
     s: &Setup,
     range: Range,
     mut waiting: Waiting,
     mut visit: impl FnMut(Places, f64) -> f64,
 ) {
     let mut reach = InTree::new(bvh, s, range);
-    let mut entry = 0u32;
+    let mut node = root;
     loop {
         let ray = widened(s);
-        while entry & LEAF == 0 {
-            let node = &bvh.nodes[entry as usize];
+        let mut entry = loop {
             let met = slabs(node, &ray, reach.start, reach.limit);
-            if met.mask & met.mask.wrapping_sub(1) == 0 && met.mask != 0 {
-                entry = node.child[met.mask.trailing_zeros() as usize];
+            let entry = if met.mask & met.mask.wrapping_sub(1) == 0 && met.mask != 0 {
+                node.child[met.mask.trailing_zeros() as usize]
             } else if met.mask != 0 {
                 let next = if SORTED { met.nearest() } else { met.mask.trailing_zeros() };
-                entry = node.child[next as usize];
                 waiting.push(met.mask & !(1 << next), met.near, node);
+                node.child[next as usize]
             } else {
                 match waiting.next(reach.limit) {
-                    Some(next) => entry = next,
+                    Some(next) => next,
                     None => return,
                 }
+            };
+            if entry & LEAF != 0 {
+                break entry;
+            }
+            node = &bvh.nodes[entry as usize];
+        };
+        loop {
+            if !reach.visit_leaf(bvh, s, entry, &mut visit) {
+                return;
+            }
+            match waiting.next(reach.limit) {
+                Some(next) => entry = next,
+                None => return,
+            }
+            if entry & LEAF == 0 {
+                break;
             }
         }
-        if !reach.visit_leaf(bvh, s, entry, &mut visit) {
-            return;
-        }
-        match waiting.next(reach.limit) {
-            Some(next) => entry = next,
-            None => return,
-        }
+        node = &bvh.nodes[entry as usize];
     }
 }
 
