@@ -62,21 +62,24 @@ impl MeshBuilder {
     fn faces(mut self) -> MeshFaces {
         let bounds = |i: u32| self.face_bounds(self.faces[i as usize]);
         let mut tree = Bvh::build_from(self.faces.len(), bounds, Quality::Fast { leaf: LANES });
-        self.vertices.shrink_to_fit();
         self.normals.shrink_to_fit();
         self.uvs.shrink_to_fit();
         let order = tree.order();
-        let faces = reordered(self.faces, order);
-        let corners = |i: u32| faces[i as usize].map(|v| self.vertices[v as usize]);
-        let leaves = Leaves::new(tree.leaves(), faces.len(), corners);
+        let mut vertex_numbers = reordered(self.faces, order);
+        let corners = |i: u32| vertex_numbers[i as usize].map(|v| self.vertices[v as usize]);
+        let leaves = Leaves::new(tree.leaves(), order.len(), corners);
+        let normal_corners = indices(self.normal_corners, !self.normals.is_empty(), order);
+        let uv_corners = indices(self.uv_corners, !self.uvs.is_empty(), order);
+        if ![&normal_corners, &uv_corners].iter().any(|list| matches!(list, Indices::Vertices)) {
+            vertex_numbers = Vec::new();
+        }
         MeshFaces {
-            vertices: self.vertices,
-            normal_corners: indices(self.normal_corners, !self.normals.is_empty(), order),
+            normal_corners,
             normals: self.normals,
-            uv_corners: indices(self.uv_corners, !self.uvs.is_empty(), order),
+            uv_corners,
             uvs: self.uvs,
             textures: textures(self.textures, order),
-            faces,
+            vertex_numbers,
             inside_vector: self.inside_vector.and_then(Vec3::try_normalize),
             kind: self.kind,
             numbers: tree.take_order(),

@@ -17,7 +17,12 @@ const NUMBERS: usize = 9;
 #[derive(Debug)]
 pub struct Leaves {
     rows: Vec<f32>,
+    /// Of each face its place in the leaf, and from bit [`COUNT`] on the number of the leaf's faces.
+    lanes: Vec<u8>,
 }
+
+/// See [`Leaves::lanes`].
+const COUNT: u32 = 4;
 
 /// What the corners' weights are proportional to, where a ray passes the faces of a leaf.
 struct Passed {
@@ -25,6 +30,9 @@ struct Passed {
     mask: u32,
     shares: [[f64; LANES]; 3],
 }
+
+/// How far away a ray passes a face, and what the corners' weights are proportional to there.
+pub type Passage = (f64, Vec3);
 
 impl Leaves {
     /// `leaves` hold every face from 0 to `count` once.
@@ -35,15 +43,25 @@ impl Leaves {
     ) -> Leaves {
         // Rows are read four at a time: the last one goes on for a few numbers.
         let mut rows = vec![0.0; NUMBERS * count + LANES];
+        let mut lanes = vec![0; count];
         for leaf in leaves {
             let (first, n) = (NUMBERS * leaf.start as usize, leaf.len());
             assert!(n <= LANES, "a leaf of {n} faces");
+            for (lane, face) in leaf.clone().enumerate() {
+                lanes[face as usize] = (n << COUNT | lane) as u8;
+            }
             let faces: SmallVec<[[[f32; 3]; 3]; LANES]> = leaf.map(&corners).collect();
-            for (row, lanes) in rows[first..][..NUMBERS * n].chunks_exact_mut(n).enumerate() {
-                lanes.iter_mut().zip(&faces).for_each(|(lane, face)| *lane = face.as_flattened()[row]);
+            for (row, numbers) in rows[first..][..NUMBERS * n].chunks_exact_mut(n).enumerate() {
+                numbers.iter_mut().zip(&faces).for_each(|(number, face)| *number = face.as_flattened()[row]);
             }
         }
-        Leaves { rows }
+        Leaves { rows, lanes }
+    }
+
+    pub fn corners(&self, face: usize) -> [[f32; 3]; 3] {
+        let (lane, n) = (self.lanes[face] as usize & ((1 << COUNT) - 1), self.lanes[face] as usize >> COUNT);
+        let rows = &self.rows[NUMBERS * (face - lane) + lane..];
+        [0, 3, 6].map(|row| [0, 1, 2].map(|axis| rows[(row + axis) * n]))
     }
 
     /// Calls `visit` with every face of the leaf that the ray passes, the distance, and what the corners' weights
@@ -54,7 +72,7 @@ impl Leaves {
         leaf: Range<u32>,
         ray: &Ray,
         shear: &Shear,
-        mut visit: impl FnMut(u32, (f64, Vec3)),
+        mut visit: impl FnMut(u32, Passage),
     ) {
         let n = leaf.len();
         let rows = &self.rows[NUMBERS * leaf.start as usize..][..NUMBERS * n + LANES];
@@ -77,8 +95,29 @@ impl Leaves {
         }
     }
 
+    /// What a search for the nearest face beyond `min` does with a leaf: keeps in `best` the nearest so far, and
+    /// gives back its distance.
+    #[inline(always)]
+    pub fn nearer(
+        &self,
+        ray: &Ray,
+        min: f64,
+        best: &mut Option<(u32, Passage)>,
+    ) -> impl FnMut(Range<u32>, f64) -> f64 {
+        let shear = Shear::new(ray.dir);
+        move |leaf, mut max| {
+            self.each_passed(leaf, ray, &shear, |face, hit| {
+                if hit.0 > min && hit.0 < max {
+                    *best = Some((face, hit));
+                    max = hit.0;
+                }
+            });
+            max
+        }
+    }
+
     pub fn heap_bytes(&self) -> usize {
-        self.rows.capacity() * size_of::<f32>()
+        self.rows.capacity() * size_of::<f32>() + self.lanes.capacity()
     }
 }
 

@@ -14,9 +14,9 @@
 //! For `inside_vector` each edge belongs to just one of the two faces that a nudge of the ray would choose
 //! between, so every crossing counts once.
 //!
-//! Faces are stored in the order of the tree's leaves. Memory per face: 12 bytes, its share of the vertices
-//! (mostly 6), 36 for its corners beside those of its leaf, about 8 for the tree, 4 for the place in the scene's list, and as much again for each of normals and uvs that has indices of its
-//! own.
+//! Faces are stored in the order of the tree's leaves. Memory per face: 37 bytes for its corners beside those of
+//! its leaf, about 8 for the tree, 4 for the place in the scene's list, and 12 for each of normals and uvs that
+//! has indices of its own, or for both where they go by the vertices' numbers.
 //!
 //! Reference: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 
@@ -25,12 +25,12 @@ mod leaves;
 
 pub use build::{FLAT, Merged, MeshBuilder, NO_TEXTURE};
 
-use leaves::Leaves;
+use leaves::{Leaves, Passage};
 
 use super::triangle::Shear;
 use super::{Crossing, PartTexture, Place, Shape, rounding};
-use crate::math::bvh::Bvh;
-use crate::math::{Aabb, EPSILON, Range, Ray, Vec2, Vec3};
+use crate::math::bvh::{Bvh, Cut, CutTree};
+use crate::math::{Aabb, Beam, EPSILON, Range, Ray, Vec2, Vec3};
 use std::sync::LazyLock;
 
 /// Numbers of a face's three corners in some list.
@@ -47,8 +47,8 @@ pub struct Mesh {
 /// The faces of a mesh in the order of their tree's leaves.
 #[derive(Debug)]
 pub struct MeshFaces {
-    vertices: Vec<[f32; 3]>,
-    faces: Vec<Corners>,
+    /// Numbers of the faces' vertices, where normals or uvs go by them; else empty.
+    vertex_numbers: Vec<Corners>,
     normals: Vec<[f32; 3]>,
     normal_corners: Indices,
     uvs: Vec<[f32; 2]>,
@@ -73,10 +73,10 @@ enum Indices {
 }
 
 impl Indices {
-    fn of(&self, face: usize, corners: Corners) -> Option<Corners> {
+    fn of(&self, face: usize, vertices: &[Corners]) -> Option<Corners> {
         match self {
             Indices::None => None,
-            Indices::Vertices => Some(corners),
+            Indices::Vertices => Some(vertices[face]),
             Indices::Own(list) => Some(list[face]).filter(|c| c[0] != FLAT),
         }
     }
@@ -106,16 +106,35 @@ impl Mesh {
         &self.faces
     }
 
-    fn crossing(face: u32, (t, shares): (f64, Vec3)) -> Crossing {
+    fn crossing(face: u32, (t, shares): Passage) -> Crossing {
         let sum = shares.element_sum();
         Crossing { t, part: face, uv: Vec2::new(shares.y / sum, shares.z / sum) }
+    }
+}
+
+impl Mesh {
+    /// See [`Bvh::cut`].
+    pub fn cut(&self, beam: &Beam, cut: &mut Cut) -> bool {
+        self.faces().tree.cut(beam, cut)
+    }
+
+    /// [`Shape::nearest`] for a ray inside the beam that the cut was made for.
+    pub fn nearest_in(&self, cut: &Cut, ray: &Ray, range: Range) -> Option<Crossing> {
+        let (faces, mut best) = (self.faces(), None);
+        let tree = CutTree { tree: &faces.tree, cut };
+        tree.traverse_leaves(ray, range, faces.leaves.nearer(ray, range.min, &mut best));
+        best.map(|(face, hit)| Self::crossing(face, hit))
+    }
+
+    pub fn node_count(&self) -> usize {
+        self.faces().tree.node_count()
     }
 }
 
 impl MeshFaces {
     #[cfg(test)]
     fn face_count(&self) -> usize {
-        self.faces.len()
+        self.numbers.len()
     }
 
     /// MeshFaces in the order in which the scene lists them; `None` for faces of a `mesh2` without area.
@@ -132,7 +151,7 @@ impl MeshFaces {
     }
 
     pub fn corners(&self, face: usize) -> [Vec3; 3] {
-        self.faces[face].map(|v| wide(self.vertices[v as usize]))
+        self.leaves.corners(face).map(wide)
     }
 
     pub fn flat_normal(&self, face: usize) -> Vec3 {
@@ -142,7 +161,7 @@ impl MeshFaces {
 
     /// The corners' normals; `None` on a flat face.
     pub fn corner_normals(&self, face: usize) -> Option<[Vec3; 3]> {
-        let corners = self.normal_corners.of(face, self.faces[face])?;
+        let corners = self.normal_corners.of(face, &self.vertex_numbers)?;
         let [a, b, c] = corners.map(|n| wide(self.normals[n as usize]));
         let same = (a - b).length_squared() < SAME_NORMAL && (a - c).length_squared() < SAME_NORMAL;
         (!same).then_some([a, b, c])
@@ -150,7 +169,7 @@ impl MeshFaces {
 
     /// The corners' surface parameters, if they have any.
     pub fn corner_uvs(&self, face: usize) -> Option<[Vec2; 3]> {
-        let corners = self.uv_corners.of(face, self.faces[face])?;
+        let corners = self.uv_corners.of(face, &self.vertex_numbers)?;
         Some(corners.map(|i| {
             let [u, v] = self.uvs[i as usize];
             Vec2::new(f64::from(u), f64::from(v))
@@ -169,8 +188,7 @@ impl MeshFaces {
             Textures::One(list) => list.capacity() * 4,
             Textures::Three(list) => list.capacity() * 12,
         };
-        self.vertices.capacity() * 12
-            + self.faces.capacity() * 12
+        self.vertex_numbers.capacity() * 12
             + self.normals.capacity() * 12
             + self.uvs.capacity() * 8
             + self.numbers.capacity() * 4
@@ -228,18 +246,8 @@ impl Shape for Mesh {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let shear = Shear::new(ray.dir);
-        let faces = self.faces();
-        let mut best: Option<(u32, (f64, Vec3))> = None;
-        faces.tree.traverse_leaves(ray, range, |leaf, mut max| {
-            faces.leaves.each_passed(leaf, ray, &shear, |face, hit| {
-                if hit.0 > range.min && hit.0 < max {
-                    best = Some((face, hit));
-                    max = hit.0;
-                }
-            });
-            max
-        });
+        let (faces, mut best) = (self.faces(), None);
+        faces.tree.traverse_leaves(ray, range, faces.leaves.nearer(ray, range.min, &mut best));
         best.map(|(face, hit)| Self::crossing(face, hit))
     }
 
