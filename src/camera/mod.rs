@@ -18,7 +18,7 @@ pub use lens::Lens;
 pub use mesh::{Distribution, MeshCamera};
 
 use crate::material::{Normal, Pigment};
-use crate::math::{Ray, Transform, Vec3};
+use crate::math::{Beam, Ray, Transform, Vec3};
 use crate::pattern::Context;
 use std::sync::Arc;
 
@@ -193,6 +193,15 @@ impl Camera {
             CameraKind::Spherical => Some(spherical::view(self, s, t)),
             CameraKind::Mesh(_) => None,
         }
+    }
+
+    /// The beam of all rays through a rectangle of the picture, if the camera has one.
+    pub fn beam(&self, x: [f64; 2], y: [f64; 2], (width, height): (f64, f64)) -> Option<Beam> {
+        if !matches!((&self.kind, &self.normal), (CameraKind::Perspective, None)) || self.blur.is_on() {
+            return None;
+        }
+        let edge = |x: f64, y: f64| perspective::view(self, x / width - 0.5, 0.5 - y / height).direction;
+        Beam::new(self.location, [edge(x[0], y[0]), edge(x[1], y[0]), edge(x[1], y[1]), edge(x[0], y[1])])
     }
 
     /// Whether all rays start at one point.

@@ -21,6 +21,7 @@ mod refract;
 mod shade;
 mod shadow;
 mod shared_dimming;
+mod sights;
 mod sky;
 mod spectrum;
 mod subsurface;

@@ -7,6 +7,7 @@ use super::radiosity::{Lighting, Radiosity};
 use super::random::Random;
 use super::shade::{Onward, Shaded};
 use super::shared_dimming::SharedDimming;
+use super::sights::Sights;
 use super::sky::{self, Leaving};
 use super::subsurface::Subsurface;
 use super::{Counters, NotNumber, Pixel, Settings, rainbow};
@@ -57,6 +58,7 @@ pub struct Tracer<'w> {
     /// Whether the surface being lit takes photons: what refracts them casts a full shadow on it.
     pub(super) collects: bool,
     lens: Option<Arc<Lens>>,
+    sights: Sights,
     /// What the camera stands in, once found; for cameras with one viewpoint.
     camera_inside: Option<Interiors>,
     /// The place where the last photon started, and what it stands in.
@@ -140,6 +142,7 @@ impl<'w> Tracer<'w> {
             photons_of_late: Neighbourhoods::default(),
             collects: false,
             lens: None,
+            sights: Sights::new(world, (f64::from(settings.width), f64::from(settings.height))),
             camera_inside: None,
             photon_inside: None,
             media: Vec::new(),
@@ -216,7 +219,10 @@ impl<'w> Tracer<'w> {
         match &self.lens {
             Some(lens) => self.blurred(&lens.clone(), (x, y), size),
             None if self.world.scene.camera.rays() > 1 => self.averaged((x, y), size),
-            None => self.seen_along(self.world.scene.camera.ray(x, y, size, &self.context)),
+            None => {
+                let ray = self.world.scene.camera.ray(x, y, size, &self.context);
+                self.seen(ray, |tracer, ray| tracer.sharp_ray(ray, (x, y), size))
+            }
         }
     }
 
@@ -268,8 +274,13 @@ impl<'w> Tracer<'w> {
     }
 
     fn seen_along(&mut self, ray: Option<Ray>) -> Pixel {
+        self.seen(ray, Self::camera_ray)
+    }
+
+    #[inline(always)]
+    fn seen(&mut self, ray: Option<Ray>, trace: impl FnOnce(&mut Self, Ray) -> Radiance) -> Pixel {
         let nothing = Radiance { rgb: Rgb::ZERO, transmit: 1.0 };
-        let mut seen = ray.map_or(nothing, |ray| self.camera_ray(ray));
+        let mut seen = ray.map_or(nothing, |ray| trace(self, ray));
         if seen.rgb.is_nan() || seen.transmit.is_nan() {
             self.counters.not_numbers += 1;
             seen = Radiance::BLACK;
@@ -277,16 +288,30 @@ impl<'w> Tracer<'w> {
         Pixel { rgb: seen.rgb, transmit: seen.transmit }
     }
 
+    /// A camera's only ray through a place.
+    fn sharp_ray(&mut self, ray: Ray, place: (f64, f64), size: (f64, f64)) -> Radiance {
+        let hit = match self.sights.at(self.world, place, size) {
+            Some(sight) => self.world.nearest_in_sight(sight, &ray, Range::FORWARD, RayClass::Image),
+            None => return self.camera_ray(ray),
+        };
+        self.from_camera(ray, hit.as_ref())
+    }
+
     pub(super) fn camera_ray(&mut self, ray: Ray) -> Radiance {
+        let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
+        let hit = self.world.nearest(&ray, range, RayClass::Image);
+        self.from_camera(ray, hit.as_ref())
+    }
+
+    /// A ray of the camera whose hit is known.
+    fn from_camera(&mut self, ray: Ray, hit: Option<&Hit>) -> Radiance {
         self.counters.camera_rays += 1;
         if let Some(radiosity) = &mut self.radiosity {
             radiosity.begin_ray();
         }
         let inside = self.camera_interiors(&ray);
         let mut path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
-        let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
-        let hit = self.world.nearest(&ray, range, path.class);
-        self.trace_from(&ray, &mut path, hit.as_ref())
+        self.trace_from(&ray, &mut path, hit)
     }
 
     fn camera_interiors(&mut self, ray: &Ray) -> Interiors {

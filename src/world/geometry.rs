@@ -7,6 +7,7 @@ use super::hit::{InteriorId, RayClass};
 use super::placement::Placement;
 use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
+use super::sight::Sight;
 use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
 use crate::shape::{Chord, Crossing, Shape};
 use std::sync::Arc;
@@ -131,6 +132,24 @@ impl Nearest {
         Nearest { found: None, root: NONE, hidden: class.bit(), of_ball: false }
     }
 
+    /// Takes the crossing of a root that `nearest` finds, if it is nearer; the new end of the range.
+    #[inline]
+    pub fn ask(&mut self, item: &Item, range: Range, nearest: impl FnOnce(Range) -> Option<Found>) -> f64 {
+        if item.hidden & self.hidden != 0 {
+            return range.max;
+        }
+        let limit = if item.root < self.root { range.max.next_up() } else { range.max };
+        match nearest(Range::new(range.min, limit)) {
+            Some(found) => {
+                self.found = Some(found);
+                self.root = item.root;
+                self.of_ball = false;
+                found.t.min(range.max)
+            }
+            None => range.max,
+        }
+    }
+
     /// Takes a ball's crossing at a distance of at most `max`, if it counts; the new end of the range.
     #[inline]
     fn take(&mut self, item: &Item, t: f64, max: f64) -> f64 {
@@ -179,7 +198,7 @@ impl Geometry {
     /// names first counts.
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
         match &self.search {
-            Finite::Tree(tree) => self.nearest_among(tree, ray, range, class),
+            Finite::Tree(tree) => self.nearest_of_all(tree, ray, range, class),
             _ => self.nearest_treeless(ray, range, class),
         }
     }
@@ -189,15 +208,28 @@ impl Geometry {
     fn nearest_treeless(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
         match &self.search {
             Finite::Tree(_) => None,
-            Finite::Grid(grid) => self.nearest_among(grid, ray, range, class),
-            Finite::List(list) => self.nearest_among(list, ray, range, class),
+            Finite::Grid(grid) => self.nearest_of_all(grid, ray, range, class),
+            Finite::List(list) => self.nearest_of_all(list, ray, range, class),
         }
     }
 
     #[inline(always)]
-    fn nearest_among(
+    fn nearest_of_all(
         &self,
         finite: &impl Accelerator,
+        ray: &Ray,
+        range: Range,
+        class: RayClass,
+    ) -> Option<Found> {
+        self.nearest_among(finite, None, ray, range, class)
+    }
+
+    /// The same among `finite`, where `sight` may know more of the meshes.
+    #[inline(always)]
+    pub fn nearest_among(
+        &self,
+        finite: &impl Accelerator,
+        sight: Option<&Sight>,
         ray: &Ray,
         range: Range,
         class: RayClass,
@@ -210,7 +242,10 @@ impl Geometry {
         let range = Range::new(range.min, max);
         if self.balls.is_empty() {
             finite.traverse(ray, range, |place, max| {
-                self.nearer(&mut best, &self.finite[place as usize], ray, Range::new(range.min, max))
+                let item = &self.finite[place as usize];
+                best.ask(item, Range::new(range.min, max), |within| {
+                    self.nearest_seen(sight, (place, item), ray, within)
+                })
             });
         } else {
             finite.traverse(ray, range, |place, max| {
@@ -219,7 +254,9 @@ impl Geometry {
                 match self.balls[place as usize].meet(ray, within) {
                     Met::Nothing => max,
                     Met::Sphere(t) => best.take(item, t, max),
-                    Met::Perhaps => self.nearer(&mut best, item, ray, within),
+                    Met::Perhaps => {
+                        best.ask(item, within, |within| self.nearest_seen(sight, (place, item), ray, within))
+                    }
                 }
             });
         }
@@ -240,19 +277,7 @@ impl Geometry {
     /// Takes a root into `best` if it is crossed nearer; the new end of the range.
     #[inline]
     pub fn nearer(&self, best: &mut Nearest, item: &Item, ray: &Ray, range: Range) -> f64 {
-        if item.hidden & best.hidden != 0 {
-            return range.max;
-        }
-        let limit = if item.root < best.root { range.max.next_up() } else { range.max };
-        match self.nearest_of(item.solid, ray, Range::new(range.min, limit)) {
-            Some(found) => {
-                best.found = Some(found);
-                best.root = item.root;
-                best.of_ball = false;
-                found.t.min(range.max)
-            }
-            None => range.max,
-        }
+        best.ask(item, range, |within| self.nearest_of(item.solid, ray, within))
     }
 
     /// The roots that contain `p`, in scene order.

@@ -17,6 +17,7 @@ mod placement;
 mod probe;
 mod query;
 mod scratch;
+mod sight;
 mod stats;
 #[cfg(test)]
 mod tests;
@@ -25,11 +26,12 @@ pub use accel::Accel;
 pub use between::Between;
 pub use hit::{Hit, InteriorId, Obstacle, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
+pub use sight::Sight;
 pub use stats::Stats;
 
 use crate::light::Light;
 use crate::material::Interior;
-use crate::math::{Range, Ray, Shaft, Transform, Vec2, Vec3};
+use crate::math::{Beam, Range, Ray, Shaft, Transform, Vec2, Vec3};
 use crate::scene::Scene;
 use crate::shape::PartTexture;
 use flatten::Flattened;
@@ -122,6 +124,21 @@ impl World {
         self.geometry.nearest(ray, range, class).map(|found| self.hit(ray, &found))
     }
 
+    /// Whether there is so much in the scene that [`Sight`]s save time.
+    pub fn deserves_sights(&self) -> bool {
+        self.geometry.deserves_sights()
+    }
+
+    /// Fills `sight` with what rays in `beam` may meet, for [`World::nearest_in_sight`].
+    pub fn look_along(&self, beam: &Beam, sight: &mut Sight) {
+        self.geometry.look_along(beam, sight);
+    }
+
+    /// [`World::nearest`] for a ray inside the beam that the sight was filled for.
+    pub fn nearest_in_sight(&self, sight: &Sight, ray: &Ray, range: Range, class: RayClass) -> Option<Hit> {
+        self.geometry.nearest_in_sight(sight, ray, range, class).map(|found| self.hit(ray, &found))
+    }
+
     #[inline]
     fn hit(&self, ray: &Ray, found: &Found) -> Hit {
         let located = self.geometry.locate(ray, found);
@@ -168,7 +185,12 @@ impl World {
     /// [`Blocker::default`].
     #[inline]
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut Blocker) -> Obstacle<Hit> {
-        match self.geometry.obstacle(ray, range, &mut last.0) {
+        self.as_hit(ray, self.geometry.obstacle(ray, range, &mut last.0))
+    }
+
+    #[inline]
+    fn as_hit(&self, ray: &Ray, obstacle: Obstacle<Found>) -> Obstacle<Hit> {
+        match obstacle {
             Obstacle::None => Obstacle::None,
             Obstacle::Opaque => Obstacle::Opaque,
             Obstacle::Filter(found) => Obstacle::Filter(self.hit(ray, &found)),
@@ -184,11 +206,7 @@ impl World {
     /// [`World::obstacle`] for a ray that stays in the shaft that `between` was found for.
     #[inline]
     pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Hit> {
-        match self.geometry.obstacle_between(between, ray, range) {
-            Obstacle::None => Obstacle::None,
-            Obstacle::Opaque => Obstacle::Opaque,
-            Obstacle::Filter(found) => Obstacle::Filter(self.hit(ray, &found)),
-        }
+        self.as_hit(ray, self.geometry.obstacle_between(between, ray, range))
     }
 
     /// Whether no object lets light through.
