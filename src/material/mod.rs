@@ -11,5 +11,5 @@ pub use finish::{Finish, Reflection};
 pub use ingredients::Ingredients;
 pub use interior::{Interior, Media};
 pub use normal::{Normal, NormalKind};
-pub use pigment::{Calm, GreyPigment, Pigment, PigmentField, PigmentKind, PigmentMap};
+pub use pigment::{GreyPigment, Pigment, PigmentField, PigmentKind, PigmentMap, Rough};
 pub use texture::{Attached, Layer, PatternedKind, PatternedTexture, Texture, TextureSample, View};

@@ -2,17 +2,27 @@ use crate::color::{Color, grey};
 use crate::function::{Surroundings, VectorFunction, VectorKind};
 use crate::math::Vec3;
 use crate::pattern::image::{ImageMap, OUTSIDE};
-use crate::pattern::{BlendMap, Blended, ColorMap, Context, Pattern, Setting, Signal};
+use crate::pattern::{BlendMap, Blended, Changes, ColorMap, Context, Pattern, Setting, Signal};
 use glam::DAffine3;
 use std::cell::Cell;
 use std::sync::Arc;
 
-/// See [`Pigment::calmed`].
+/// What helps to find a pigment's colours roughly, see [`Pigment::rough`].
 #[derive(Clone, Debug)]
-pub struct Calm {
-    inward: DAffine3,
+pub struct Rough {
+    changes: Changes,
+    /// To the pattern's own space but for turbulence, where that is a small thing beside the pattern.
+    inward: Option<DAffine3>,
     /// Turbulence hardly ever changes the pattern's value by more than this.
     doubt: f64,
+}
+
+impl Rough {
+    /// The same for points of another space, from which `inward` leads to the pigment's.
+    pub fn seen_from(mut self, inward: &DAffine3) -> Self {
+        self.inward = self.inward.map(|own| own * *inward);
+        self
+    }
 }
 
 /// More doubt does not pay.
@@ -149,35 +159,41 @@ impl Pigment {
         }
     }
 
-    /// The colour but for `tolerance` in red, green and blue, where that takes less time.
-    pub fn color_within(&self, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
-        let (PigmentKind::Patterned, Some(PigmentMap::Colors(map))) = (&self.kind, &self.map) else {
-            return self.color(p, context);
-        };
-        let q = self.signal.warp(p);
-        Some(map.color(self.signal.value_within(q, context, &|a, b| map.spread(a, b) <= tolerance)))
-    }
-
-    /// The pigment as it would be without turbulence, if that is a small thing beside its pattern.
-    pub fn calmed(&self) -> Option<Calm> {
-        let steepness = self.signal.pattern.steepness()?;
-        let (inward, shift) = self.signal.calmed()?;
-        let doubt = 3.0 * steepness * shift;
-        (0.0 < doubt && doubt < LARGEST_DOUBT).then_some(Calm { inward, doubt })
-    }
-
-    /// As [`Pigment::color_within`], without turbulence: `None` where that does not tell.
-    pub fn calm_color(&self, calm: &Calm, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
+    /// What [`Pigment::rough_color`] needs to know, for pigments with a map of colours.
+    pub fn rough(&self) -> Option<Rough> {
         let (PigmentKind::Patterned, Some(PigmentMap::Colors(map))) = (&self.kind, &self.map) else {
             return None;
         };
-        let (doubt, told) = (calm.doubt, Cell::new(false));
+        let mut rough = Rough { changes: Changes::new(map)?, inward: None, doubt: 0.0 };
+        if let (Some(steepness), Some((inward, shift))) =
+            (self.signal.pattern.steepness(), self.signal.calmed())
+        {
+            rough.doubt = 3.0 * steepness * shift;
+            rough.inward = (0.0 < rough.doubt && rough.doubt < LARGEST_DOUBT).then_some(inward);
+        }
+        Some(rough)
+    }
+
+    /// The colour at `p` but for `tolerance` in red, green and blue, if that is found without turbulence. `p` is a
+    /// place in the space that `rough` is seen from.
+    pub fn calm_color(&self, rough: &Rough, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
+        let (Some(PigmentMap::Colors(map)), Some(inward)) = (&self.map, &rough.inward) else {
+            return None;
+        };
+        let (doubt, told) = (rough.doubt, Cell::new(false));
         let settles = |low: f64, high: f64| {
-            told.set(map.spread(low - doubt, high + doubt) <= tolerance);
+            told.set(rough.changes.between(low - doubt, high + doubt) <= tolerance);
             told.get() || high - low < doubt
         };
-        let value = self.signal.value_within(calm.inward.transform_point3(p), context, &settles);
+        let value = self.signal.value_within(inward.transform_point3(p), context, &settles);
         told.get().then(|| map.color(value))
+    }
+
+    /// The colour at `p` in pigment space but for `tolerance` in red, green and blue.
+    pub fn rough_color(&self, rough: &Rough, p: Vec3, context: &Context, tolerance: f32) -> Option<Color> {
+        let Some(PigmentMap::Colors(map)) = &self.map else { return self.color(p, context) };
+        let settles = |low: f64, high: f64| rough.changes.between(low, high) <= tolerance;
+        Some(map.color(self.signal.value_within(self.signal.warp(p), context, &settles)))
     }
 
     /// The largest of red, green and blue that a plain pigment or one with a colour map has anywhere.

@@ -108,9 +108,57 @@ impl BlendMap<Color> {
     }
 }
 
+/// By how much the colours of a map differ between two values, looked up: as [`ColorMap::spread`] says it of
+/// values a little farther apart.
+#[derive(Clone, Debug)]
+pub struct Changes {
+    /// From below 0 to each of so many values, the first of them below 0 too.
+    sums: Vec<f32>,
+}
+
+impl Changes {
+    const STEPS: i32 = 256;
+
+    /// `None` for maps that are not sorted.
+    pub fn new(map: &ColorMap) -> Option<Self> {
+        let at = |k: i32| f64::from(k - 1) / f64::from(Self::STEPS);
+        let sums = || (0..=Self::STEPS + 1).map(|k| if k == 0 { 0.0 } else { map.spread(at(0), at(k)) });
+        map.sorted.then(|| Self { sums: sums().collect() })
+    }
+
+    /// Between two values; those outside 0 to 1 count as 0 and 1.
+    #[inline]
+    pub fn between(&self, low: f64, high: f64) -> f32 {
+        let steps = f64::from(Self::STEPS);
+        let first = (low * steps) as i32;
+        let last = (high * steps) as i32 + 2;
+        let clamped = |k: i32| k.clamp(0, Self::STEPS + 1) as usize;
+        self.sums[clamped(last)] - self.sums[clamped(first)]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn changes_are_looked_up_a_little_larger() {
+        let grey = |v: f32| Color { rgb: crate::color::Rgb::splat(v), ..Color::BLACK };
+        let steps = [(0.0, 0.2), (0.0, 1.0), (0.3, 0.5), (0.5, 0.5), (0.5, 0.0), (0.8, 0.25), (1.0, 0.3)];
+        let map = BlendMap::new(steps.map(|(k, v)| (k, grey(v))).to_vec());
+        let changes = Changes::new(&map).unwrap();
+        let margin = 2.0 / 256.0;
+        for i in 0..=500 {
+            for j in i..=500 {
+                let (low, high) = (f64::from(i) / 500.0, f64::from(j) / 500.0);
+                let found = changes.between(low, high);
+                assert!(found >= map.spread(low, high) - 1e-5, "{low} {high}");
+                assert!(found <= map.spread(low - margin, high + margin) + 1e-5, "{low} {high}");
+            }
+        }
+        assert_eq!(changes.between(-3.0, 7.0), changes.between(0.0, 1.0));
+        assert!(Changes::new(&BlendMap::new(vec![(0.5, grey(0.0)), (0.2, grey(1.0))])).is_none());
+    }
 
     #[test]
     fn lookup_follows_the_written_order() {

@@ -70,7 +70,7 @@ pub use gradient::Gradient;
 pub use granite::Granite;
 pub use hexagon::Hexagon;
 pub use leopard::Leopard;
-pub use map::{BlendMap, Blended, ColorMap};
+pub use map::{BlendMap, Blended, Changes, ColorMap};
 pub use marble::Marble;
 pub use object::InsideOut;
 pub use onion::Onion;

@@ -4,12 +4,13 @@
 //! front to back, what an interval sends is dimmed by the optical depth before it.
 
 use super::Overrides;
+use super::dimming;
 use super::media_sampling::{self as sampling, Plan};
 use super::path::{Departure, Path, Veil};
 use super::tracer::Tracer;
 use crate::color::{Rgb, grey};
 use crate::light::is_dark;
-use crate::material::{Calm, Media};
+use crate::material::{Media, Rough};
 use crate::math::{Ray, Transform, Vec3, chi_square};
 use crate::world::{Hit, RayClass, WorldLight};
 use glam::DAffine3;
@@ -27,8 +28,8 @@ pub(super) struct Medium<'w> {
     last: Cell<(Vec3, Rgb)>,
     /// The brightest colour of each density, and their product; empty if one is not known.
     brightest: Vec<f32>,
-    /// The densities without turbulence.
-    calmed: Vec<Option<Calm>>,
+    /// What helps to find each density roughly.
+    rough: Vec<Option<Rough>>,
     largest: f32,
     /// Variances below which an interval has samples enough, by number of samples less 1.
     pub thresholds: Vec<f32>,
@@ -39,23 +40,27 @@ impl<'w> Medium<'w> {
         let plain = |d: &std::sync::Arc<crate::material::Pigment>| d.plain().map(|c| c.rgb);
         let brightest: Option<Vec<f32>> = media.densities.iter().map(|d| d.brightest()).collect();
         let brightest = brightest.unwrap_or_default();
+        let world_to_medium = media.transform.then(place).inverse;
+        let rough =
+            |d: &std::sync::Arc<crate::material::Pigment>| Some(d.rough()?.seen_from(&world_to_medium));
         Self {
             media,
-            calmed: media.densities.iter().map(|d| d.calmed()).collect(),
+            rough: media.densities.iter().map(rough).collect(),
             largest: brightest.iter().product(),
             brightest,
-            world_to_medium: media.transform.then(place).inverse,
+            world_to_medium,
             uniform: media.densities.iter().map(plain).product(),
             last: Cell::new((Vec3::NAN, Rgb::ZERO)),
             thresholds: thresholds(media),
         }
     }
 
-    pub fn is_uniform(&self) -> bool {
-        self.uniform.is_some()
+    /// The density if it is the same everywhere.
+    pub fn uniform(&self) -> Option<Rgb> {
+        self.uniform
     }
 
-    fn extinction(&self) -> Rgb {
+    pub fn extinction(&self) -> Rgb {
         self.media.absorption + self.media.extinction * self.media.scattering
     }
 }
@@ -127,7 +132,7 @@ pub(super) struct Stretch<'a, 'w> {
     strongest: Cell<f32>,
     /// The light that it stands for besides its own, 0 if it is given up; see [`Tracer::goes_on`].
     pub boost: Cell<f32>,
-    /// Error of the optical depth that makes no difference.
+    /// Error of the optical depth that makes no difference; 0 for the truth.
     pub slack: Cell<f32>,
 }
 
@@ -141,10 +146,14 @@ const FAINT_IN_MEDIA: f32 = 0.3;
 const FAINT_AT_SURFACES: f32 = 0.02;
 
 /// Error of a shadow ray's light in the picture, times its optical depth's, that makes no difference.
-const ALIKE: f32 = 0.2;
+const ALIKE: f32 = 1.0;
 
-/// The largest error of an optical depth.
-const MOST_SLACK: f32 = 0.5;
+/// The largest error of an optical depth: a bound that errors hardly ever come near.
+const MOST_SLACK: f32 = 2.0;
+
+/// Error of the optical depth that the camera looks through, times what is seen of it, that makes no difference.
+/// Errors of single samples are far smaller than their bounds, and add up by chance.
+pub(super) const ALIKE_IN_SIGHT: f32 = 0.05;
 
 impl<'a, 'w> Stretch<'a, 'w> {
     pub fn new(
@@ -251,7 +260,7 @@ impl<'w> Tracer<'w> {
         let mut stretch = Stretch::new(ray, length, media, None, SmallVec::new());
         stretch.worth = self.shadow_worth;
         let plan = self.plan_of(&stretch);
-        let depth = sampling::sampled(self, &stretch, &plan).1;
+        let depth = dimming::depth(self, &stretch, &plan);
         let left = exp(-depth) * stretch.boost.get();
         self.shared_dimming.keep(stretch.media, left);
         left
@@ -337,7 +346,7 @@ impl<'w> Tracer<'w> {
         true
     }
 
-    fn density(&self, stretch: &Stretch, m: u32, p: Vec3) -> Rgb {
+    pub(super) fn density(&self, stretch: &Stretch, m: u32, p: Vec3) -> Rgb {
         let medium = &self.media[m as usize];
         if let Some(uniform) = medium.uniform {
             return uniform;
@@ -348,8 +357,8 @@ impl<'w> Tracer<'w> {
         }
         let depth = medium.extinction().max_element() * stretch.length as f32 * medium.largest;
         let tolerance = if depth > 0.0 { stretch.slack.get() / depth } else { 0.0 };
-        let density = self.density_at(medium, medium.world_to_medium.transform_point3(p), tolerance);
-        if tolerance == 0.0 {
+        let density = self.density_at(medium, p, tolerance);
+        if !stretch.is_shadow() {
             medium.last.set((p, density));
         }
         density
@@ -360,10 +369,16 @@ impl<'w> Tracer<'w> {
         let mut product = Rgb::ONE;
         for (i, density) in medium.media.densities.iter().enumerate() {
             let tolerance = tolerance * medium.brightest.get(i).unwrap_or(&0.0);
-            let calm = medium.calmed[i].as_ref().filter(|_| tolerance > 0.0);
-            let color = calm
-                .and_then(|calm| density.calm_color(calm, p, &self.context, tolerance))
-                .or_else(|| density.color_within(p, &self.context, tolerance));
+            let rough = medium.rough[i].as_ref();
+            let calm = rough.filter(|_| tolerance > 0.0);
+            let calm = calm.and_then(|rough| density.calm_color(rough, p, &self.context, tolerance));
+            let color = calm.or_else(|| {
+                let p = medium.world_to_medium.transform_point3(p);
+                match rough {
+                    Some(rough) => density.rough_color(rough, p, &self.context, tolerance),
+                    None => density.color(p, &self.context),
+                }
+            });
             product *= color.map_or(Rgb::ZERO, |c| c.rgb);
             if product == Rgb::ZERO {
                 break;

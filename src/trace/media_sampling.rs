@@ -3,7 +3,7 @@
 //! Method 1 draws places at random, method 2 spaces them evenly, method 3 starts evenly and looks between
 //! two places again where they differ. Methods 1 and 2 take more samples while their variance is large.
 
-use super::media::{Local, Medium, Stretch, exp};
+use super::media::{ALIKE_IN_SIGHT, Local, Medium, Stretch, exp};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use smallvec::SmallVec;
@@ -21,15 +21,17 @@ const FINE: u32 = 48;
 pub(super) struct Plan {
     /// The medium that decides, a place in `Tracer::media`.
     medium: u32,
-    intervals: u32,
-    samples: (u32, u32),
-    method: u32,
-    jitter: f64,
+    pub intervals: u32,
+    pub samples: (u32, u32),
+    pub method: u32,
+    pub jitter: f64,
     threshold: f32,
     level: u32,
     /// Share of the intervals that lit parts get.
     ratio: f64,
-    has_density: bool,
+    pub has_density: bool,
+    /// Densities are asked for exactly.
+    truth: bool,
 }
 
 impl Plan {
@@ -45,13 +47,14 @@ impl Plan {
             level: m.aa_level.min(DEEPEST),
             ratio: f64::from(m.ratio),
             has_density: !m.densities.is_empty(),
+            truth: false,
         }
     }
 
     /// Many short intervals, sampled at random.
     pub fn fine(self) -> Self {
         let intervals = self.intervals.saturating_mul(4).clamp(FINE, FINE * FINE);
-        Self { intervals, samples: (2, 2), method: 1, ratio: 0.5, has_density: true, ..self }
+        Self { intervals, samples: (2, 2), method: 1, ratio: 0.5, has_density: true, truth: true, ..self }
     }
 
     /// The same with no more samples than `most`, or with other intervals.
@@ -172,7 +175,7 @@ fn push_equal(out: &mut Intervals, from: f64, to: f64, lit: bool, n: u32) {
 /// Methods 1 and 2: the samples that every interval gets.
 fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut Interval, front: Rgb) {
     let n = plan.samples.0;
-    stretch.aim(front, interval.length, n);
+    stretch.aim(plan, front, interval.length, n);
     for j in 0..n {
         let random = tracer.random.draw();
         let d = if plan.method == 1 {
@@ -185,16 +188,18 @@ fn even_or_random(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval:
 }
 
 /// Whether so little light comes from behind the optical depth that it does not count.
-fn is_opaque(depth: Rgb) -> bool {
+pub(super) fn is_opaque(depth: Rgb) -> bool {
     depth.min_element() > OPAQUE
 }
 
 impl Stretch<'_, '_> {
     /// Sampling goes on behind optical depth `front`, in an interval of `length` with so many samples.
-    fn aim(&self, front: Rgb, length: f64, samples: u32) {
+    fn aim(&self, plan: &Plan, front: Rgb, length: f64, samples: u32) {
         self.sample_share.set(1.0 / samples as f32);
         if let Some(path) = self.path {
-            self.share.set(path.weight * (-front.min_element()).exp() * length as f32);
+            let seen = path.weight * (-front.min_element()).exp();
+            self.share.set(seen * length as f32);
+            self.slack.set(if plan.truth { 0.0 } else { ALIKE_IN_SIGHT * samples as f32 / seen });
         }
     }
 }
@@ -226,14 +231,14 @@ fn adaptive(tracer: &mut Tracer, stretch: &Stretch, plan: &Plan, interval: &mut 
     let step = 1.0 / f64::from(n + 1);
     let probe = Probe { stretch, plan, interval: *interval };
     let (mut glow, mut depth) = (Rgb::ZERO, Rgb::ZERO);
-    stretch.aim(front, interval.length, 2 * n);
+    stretch.aim(plan, front, interval.length, 2 * n);
     let mut before = probe.at(tracer, 0.0, step);
     for j in 1..=n {
         let reached = front + depth / n as f32;
         if is_opaque(reached) || (j > 1 && !tracer.goes_on(stretch, reached)) {
             break;
         }
-        stretch.aim(reached, interval.length, 2 * n);
+        stretch.aim(plan, reached, interval.length, 2 * n);
         let (a, b) = (f64::from(j - 1) * step, f64::from(j) * step);
         let after = probe.at(tracer, b, step);
         let mean = probe.between(tracer, (a, before), (b, after), plan.level as i32 - 1);

@@ -1,6 +1,7 @@
 //! A prepared world and a place on the picture to a colour: recursive ray tracing.
 
 mod area;
+mod dimming;
 mod direct;
 mod fog;
 mod highlight;

@@ -160,7 +160,7 @@ impl<'w> Tracer<'w> {
         tracer.lens = Lens::new(&world.scene.camera, &tracer.context).map(Arc::new);
         if tracer.needs.media || tracer.needs.atmosphere {
             tracer.list_media();
-            tracer.needs.clouds = tracer.media.iter().any(|m| !m.is_uniform());
+            tracer.needs.clouds = tracer.media.iter().any(|m| m.uniform().is_none());
         }
         tracer.radiosity =
             Lighting::unknown(world, settings).map(|l| Radiosity::new(world, settings, l, false));
