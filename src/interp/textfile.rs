@@ -197,26 +197,28 @@ impl Parser {
         }
     }
 
-    /// `#write(Handle, item, …)`.
+    /// `#write(Handle, item, …)`. A binary format counts for the numbers behind it up to the next comma.
     pub(super) fn write_directive(&mut self) -> Result<()> {
         self.expect_punct(Punct::LeftParen)?;
         let (_, index, span) = self.handle()?;
-        let mut binary = None;
+        let mut binary: Option<Format> = None;
         loop {
-            self.comma()?;
             let token = self.peek()?;
-            let bytes = match token.tok {
-                Tok::Punct(Punct::RightParen) => break,
-                Tok::Word(word) if Format::from_word(word).is_some() => {
+            let bytes = match (token.tok, binary) {
+                (Tok::Punct(Punct::RightParen), _) => break,
+                (Tok::Punct(Punct::Comma), _) => {
+                    self.next()?;
+                    binary = None;
+                    continue;
+                }
+                (_, Some(format)) => format.encode(self.additive()?),
+                (Tok::Word(word), None) if Format::from_word(word).is_some() => {
                     self.next()?;
                     binary = Format::from_word(word);
                     continue;
                 }
                 _ if self.at_string()? => self.string()?.into_bytes(),
-                _ => {
-                    let value = self.additive()?;
-                    binary.map_or_else(|| written(value).into_bytes(), |f: Format| f.encode(value))
-                }
+                _ => written(self.additive()?).into_bytes(),
             };
             self.write_bytes(index, &bytes, span)?;
         }

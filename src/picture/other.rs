@@ -41,7 +41,7 @@ pub fn encode(picture: &Picture, encoding: &Encoding, kind: Kind) -> Result<Vec<
     let (w, h) = (picture.width, picture.height);
     let result = match kind {
         Kind::Targa => TgaEncoder::new(&mut out).disable_rle().write_image(&narrow(), w, h, color),
-        Kind::PackedTarga => TgaEncoder::new(&mut out).write_image(&narrow(), w, h, color),
+        Kind::PackedTarga => return packed_targa(&narrow(), w, h, if e.alpha { 4 } else { 3 }),
         Kind::Bmp => BmpEncoder::new(&mut out).write_image(&narrow(), w, h, color),
         Kind::Jpeg(quality) => {
             JpegEncoder::new_with_quality(&mut out, quality).write_image(&narrow(), w, h, color)
@@ -52,6 +52,49 @@ pub fn encode(picture: &Picture, encoding: &Encoding, kind: Kind) -> Result<Vec<
     match result {
         Ok(()) => Ok(out),
         Err(error) => Err(PictureError::Format { place: format!("{kind:?}"), message: error.to_string() }),
+    }
+}
+
+/// Targa of type 10. A packet ends with its row: readers of the format's second version insist on it.
+fn packed_targa(samples: &[u8], width: u32, height: u32, channels: usize) -> Result<Vec<u8>, PictureError> {
+    let side = |n: u32| {
+        let too_large = || format!("a Targa file has at most {} pixels each way", u16::MAX);
+        u16::try_from(n).map(u16::to_le_bytes).map_err(|_| PictureError::Format {
+            place: format!("{:?}", Kind::PackedTarga),
+            message: too_large(),
+        })
+    };
+    let mut out = vec![0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    out.extend(side(width)?);
+    out.extend(side(height)?);
+    // Bits of a pixel; rows from the top, and how many bits are alpha.
+    out.extend([8 * channels as u8, 0x20 + if channels == 4 { 8 } else { 0 }]);
+    for row in samples.chunks_exact(width as usize * channels) {
+        packed_row(row, channels, &mut out);
+    }
+    Ok(out)
+}
+
+/// Packets of up to 128 pixels: equal ones (once, with the highest bit of the count set), or different ones.
+fn packed_row(row: &[u8], channels: usize, out: &mut Vec<u8>) {
+    let pixels: Vec<&[u8]> = row.chunks_exact(channels).collect();
+    let equal = |at: usize| {
+        let rest = &pixels[at..pixels.len().min(at + 128)];
+        rest.iter().take_while(|p| **p == rest[0]).count()
+    };
+    let mut at = 0;
+    while at < pixels.len() {
+        let run = equal(at);
+        let last = if run > 1 { at + run } else { pixels.len().min(at + 128) };
+        let end = if run > 1 { last } else { (at + 1..last).find(|&i| equal(i) > 1).unwrap_or(last) };
+        let count = (end - at - 1) as u8;
+        let (head, kept) = if run > 1 { (0x80 | count, at..at + 1) } else { (count, at..end) };
+        out.push(head);
+        for p in &pixels[kept] {
+            out.extend([p[2], p[1], p[0]]);
+            out.extend(&p[3..]);
+        }
+        at = end;
     }
 }
 
@@ -101,6 +144,21 @@ mod tests {
             let clear = if kind == Kind::Ppm { 255 } else { 0 };
             assert_eq!(image.get_pixel(1, 1).0[3], clear, "{kind:?}");
         }
+    }
+
+    #[test]
+    fn packets_end_with_their_rows() {
+        let row = |v: &[u8]| {
+            let mut out = Vec::new();
+            packed_row(&v.iter().flat_map(|&v| [v, v, v]).collect::<Vec<_>>(), 3, &mut out);
+            out
+        };
+        assert_eq!(row(&[7, 7, 7]), [0x82, 7, 7, 7]);
+        assert_eq!(row(&[1, 2, 2]), [0, 1, 1, 1, 0x81, 2, 2, 2]);
+        assert_eq!(row(&[1, 2]), [1, 1, 1, 1, 2, 2, 2]);
+        assert_eq!(row(&[5; 130])[..4], [0xFF, 5, 5, 5]);
+        let bytes = encode(&Picture::new(4, 2), &Encoding::new(Gamma::Unmanaged), Kind::PackedTarga).unwrap();
+        assert_eq!(bytes[12..], [4, 0, 2, 0, 24, 0x20, 0x83, 0, 0, 0, 0x83, 0, 0, 0]);
     }
 
     #[test]

@@ -177,7 +177,8 @@ fn closed_lines(points: &[Vec2]) -> (Vec<Piece>, bool) {
     (pieces, left_open)
 }
 
-/// Curves whose point number `first` comes again at the end; `taken` points are used up by the closing one.
+/// Curves whose point number `first` comes again at the end; `taken` points are used up by the closing one. A single
+/// point behind the last curve begins no other.
 fn closed_splines(
     kind: CurveKind,
     points: &[Vec2],
@@ -187,7 +188,7 @@ fn closed_splines(
     let size = size_of_outline(points);
     let mut pieces = Vec::new();
     let mut rest = points;
-    while !rest.is_empty() {
+    while pieces.is_empty() || rest.len() > 1 {
         let start = *rest.get(first)?;
         let closing = first + 1 + rest[first + 1..].iter().position(|&p| same(p, start, size))?;
         let end = closing + taken - 1;
@@ -272,5 +273,10 @@ mod tests {
         let (_, left_open) = closed_curves(CurveKind::Linear, &points[..9]).unwrap();
         assert!(left_open);
         assert!(closed_curves(CurveKind::Cubic, &points[..6]).is_none());
+        let ring: Vec<Vec2> = [2, 3, 0, 1, 2, 3, 0].map(|i| points[i]).to_vec();
+        let rest = |n: usize| {
+            closed_curves(CurveKind::Cubic, &[&ring[..], &points[..n]].concat()).map(|c| c.0.len())
+        };
+        assert_eq!((rest(0), rest(1), rest(2)), (Some(4), Some(4), None));
     }
 }

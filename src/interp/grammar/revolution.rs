@@ -32,6 +32,10 @@ impl Parser {
         let points = self.curve_points(kind, kind.fewest_closed(), "prism")?;
         let open = self.accept(Keyword::Open)?;
         let Some((pieces, left_open)) = closed_curves(kind, &points) else {
+            if kind != CurveKind::Bezier {
+                let message = "the prism's outline is not closed: its second point must come again";
+                return Err(Box::new(Diagnostic::error(keyword.span, message)));
+            }
             return Ok(self.degenerate(keyword.span, "prism", "its outline is not closed"));
         };
         if left_open {

@@ -56,11 +56,11 @@ fn items_are_written_as_the_language_prints_them() {
 fn binary_numbers_are_clamped_and_rounded() {
     let folder = Folder::new("binary");
     let text = format!(
-        "#fopen H \"{}\" write #write(H, sint8 300, -300, 1.5, uint16be <1,2,70000>, sint32le -2)",
+        "#fopen H \"{}\" write #write(H, sint8 300 (-300) 1.5, uint16be <1,2,70000>, sint32le -2, 7 \"a\" uint8 66, 67)",
         folder.path("out.bin")
     );
     assert!(folder.run(&text).scene.is_ok());
-    let expected = [127, 128, 2, 0, 1, 0, 2, 255, 255, 254, 255, 255, 255];
+    let expected = [127, 128, 2, 0, 1, 0, 2, 255, 255, 254, 255, 255, 255, b'7', b'a', b'B', b'6', b'7'];
     assert_eq!(std::fs::read(folder.path("out.bin")).unwrap(), expected);
 }
 

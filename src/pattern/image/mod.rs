@@ -132,10 +132,10 @@ impl Image {
         }
     }
 
-    /// Whether the file says anything about transparency.
+    /// Whether there is room for transparency beside the colours; a palette has it.
     pub fn has_alpha(&self) -> bool {
         match &self.texels {
-            Texels::Palette { palette, .. } => palette.iter().any(|c| c.alpha != 1.0),
+            Texels::Palette { .. } => true,
             Texels::Bytes { channels, .. } => channels % 2 == 0,
             Texels::Floats(texels) => texels.iter().any(|c| c.alpha != 1.0),
         }

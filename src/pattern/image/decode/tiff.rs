@@ -1,4 +1,5 @@
-//! TIFF. Samples of 16 bits are reduced to 8, and alpha is taken to have been multiplied into the colours.
+//! TIFF. Samples of 16 bits are reduced to 8, and alpha is taken to have been multiplied into the colours; colours
+//! without it count as opaque, as if the file said so.
 
 use super::{Decoded, Profile, Samples, area};
 use image::{DynamicImage, ImageFormat};
@@ -21,7 +22,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
             data: data.chunks_exact(4).flat_map(separated).collect(),
             premultiplied: false,
         },
-        _ => Samples::Bytes { channels, data, truncated_grey: false },
+        _ => {
+            let data = data.chunks_exact(channels).flat_map(|c| c.iter().copied().chain([255])).collect();
+            Samples::Bytes { channels: channels + 1, data, truncated_grey: false }
+        }
     };
     Ok(Decoded { width, height, samples, profile: Profile::Unknown })
 }
