@@ -214,9 +214,9 @@ fn settings_have_the_ranges_of_the_table() {
 /// Every standard include file: carried, or refused with the name of the package that has it.
 #[test]
 fn standard_include_files_are_carried_or_named() {
-    const CARRIED: &str = "arrays colors consts debug finish functions ior math rad_def rand screen shapes shapes2 \
+    const CARRIED: &str = "arrays colors consts debug finish functions ior math rad_def rand screen shapes shapes2 shapes3 \
         shapes_old shapesq stdinc strings sunpos transforms";
-    const NAMED: &str = "chars glass glass_old golds logo makegrass meshmaker metals shapes3 skies stage1 stars stdcam stoneold stones \
+    const NAMED: &str = "chars glass glass_old golds logo makegrass meshmaker metals skies stage1 stars stdcam stoneold stones \
         stones1 stones2 textures woodmaps woods";
     let read = |name: &str| {
         let text = format!("#version 3.7; #include \"{name}.inc\"");

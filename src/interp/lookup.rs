@@ -156,7 +156,7 @@ impl Parser {
 
 /// Files that come with POV-Ray and are not carried here, most of them because they are design and not fact. Include files are without
 /// their ending.
-const DESIGNS: [&str; 44] = [
+const DESIGNS: [&str; 43] = [
     "chars",
     "glass",
     "glass_old",
@@ -165,7 +165,6 @@ const DESIGNS: [&str; 44] = [
     "makegrass",
     "meshmaker",
     "metals",
-    "shapes3",
     "skies",
     "stage1",
     "stars",

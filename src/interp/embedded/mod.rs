@@ -28,6 +28,7 @@ const FILES: &[(&str, &str)] = &[
     ("screen.inc", include_str!("screen.inc")),
     ("shapes.inc", include_str!("shapes.inc")),
     ("shapes2.inc", include_str!("shapes2.inc")),
+    ("shapes3.inc", include_str!("shapes3.inc")),
     ("shapes_old.inc", include_str!("shapes_old.inc")),
     ("shapesq.inc", include_str!("shapesq.inc")),
     ("stdinc.inc", include_str!("stdinc.inc")),
