@@ -39,12 +39,13 @@ impl Default for Crackle {
 
 impl Crackle {
     fn power(&self, d: f64) -> f64 {
-        if self.metric == 2.0 {
-            d * d
-        } else if self.metric == 1.0 {
-            d.abs()
-        } else {
-            d.abs().powf(self.metric)
+        match self.metric {
+            2.0 => d * d,
+            1.0 => d.abs(),
+            1.5 => d.abs() * d.abs().sqrt(),
+            3.0 => d.abs() * (d * d),
+            4.0 => (d * d) * (d * d),
+            metric => d.abs().powf(metric),
         }
     }
 
@@ -373,7 +374,11 @@ impl Pattern for Crackle {
             return noise(self.nearest(p), setting.noise);
         }
         let sums = self.least(p);
-        let lift = if self.offset != 0.0 { self.offset.powf(self.metric) } else { 0.0 };
+        let lift = match (self.offset, self.metric) {
+            (0.0, _) => 0.0,
+            (offset, 2.0) => offset * offset,
+            (offset, metric) => offset.powf(metric),
+        };
         let mut value = 0.0;
         for (weight, sum) in self.form.to_array().into_iter().zip(sums) {
             if weight != 0.0 {
@@ -399,6 +404,18 @@ impl Pattern for Crackle {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Powers by multiplication are those of the library but for roundings.
+    #[test]
+    fn powers_agree() {
+        for metric in [0.5, 1.0, 1.5, 2.0, 2.2, 3.0, 4.0] {
+            let crackle = Crackle { metric, ..Default::default() };
+            for d in [0.0, 1e-9, -0.3, 0.7, -1.0, 2.4] {
+                let expected = f64::abs(d).powf(metric);
+                assert!((crackle.power(d) - expected).abs() <= 4.0 * f64::EPSILON * expected, "{metric} {d}");
+            }
+        }
+    }
 
     #[test]
     #[cfg(target_arch = "x86_64")]
