@@ -60,7 +60,7 @@ pub use quadric::Quadric;
 pub use sor::{Sor, SorError};
 pub use span::{Chord, Span};
 pub use sphere::Sphere;
-pub(crate) use sphere::sphere_span;
+pub(crate) use sphere::{place_on_sphere, sphere_span};
 pub use sphere_sweep::{SphereSweep, SweepKind};
 pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
@@ -228,7 +228,7 @@ pub trait Shape: Debug + Send + Sync {
         PartTexture::Object
     }
 
-    /// Center and radius, if the surface is a sphere.
+    /// Center and radius, if the surface is a sphere with its normals outward.
     fn sphere(&self) -> Option<(Vec3, f64)> {
         None
     }

@@ -42,6 +42,18 @@ pub(crate) fn sphere_span(oc: Vec3, dir: Vec3, radius: f64) -> Option<(f64, f64)
     Some(if q < other { (q, other) } else { (other, q) })
 }
 
+/// Where the ray is on a sphere of positive radius, with the normal outward.
+#[inline]
+pub(crate) fn place_on_sphere(center: Vec3, radius: f64, ray: &Ray, t: f64) -> Place {
+    let out = (ray.at(t) - center).normalize_or(Vec3::X);
+    Place {
+        point: center + radius * out,
+        error: rounding(center.abs().max_element() + radius),
+        normal: out,
+        face: None,
+    }
+}
+
 /// Angle about the y axis as a fraction of a turn: 0 at +x, growing towards +z; 0 on the axis.
 pub(super) fn turn_about_y(p: Vec3) -> f64 {
     let turn = p.z.atan2(p.x) / (2.0 * PI);
@@ -85,14 +97,8 @@ impl Shape for Sphere {
     }
 
     fn at(&self, ray: &Ray, crossing: &Crossing) -> Place {
-        let out = (ray.at(crossing.t) - self.center).normalize_or(Vec3::X);
-        let r = self.radius.abs();
-        Place {
-            point: self.center + r * out,
-            error: rounding(self.center.abs().max_element() + r),
-            normal: if self.radius < 0.0 { -out } else { out },
-            face: None,
-        }
+        let at = place_on_sphere(self.center, self.radius.abs(), ray, crossing.t);
+        Place { normal: if self.radius < 0.0 { -at.normal } else { at.normal }, ..at }
     }
 
     fn uv(&self, p: Vec3, _crossing: &Crossing) -> Option<Vec2> {
@@ -101,7 +107,7 @@ impl Shape for Sphere {
     }
 
     fn sphere(&self) -> Option<(Vec3, f64)> {
-        Some((self.center, self.radius.abs()))
+        (self.radius > 0.0).then_some((self.center, self.radius))
     }
 
     fn kind(&self) -> &'static str {

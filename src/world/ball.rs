@@ -2,7 +2,7 @@
 
 use super::placement::Placement;
 use crate::math::{EPSILON, Range, Ray, Vec3};
-use crate::shape::{Shape, sphere_span};
+use crate::shape::{Place, Shape, place_on_sphere, sphere_span};
 
 /// A sphere in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +61,12 @@ impl Ball {
         };
         let t = if near > range.min { near } else { far };
         if t > range.min && t <= range.max { Met::Sphere(t) } else { Met::Nothing }
+    }
+
+    /// The crossing at distance `t`, as the shape would place it, if it stands in the world as it was made.
+    #[inline]
+    pub fn at(&self, ray: &Ray, t: f64) -> Place {
+        place_on_sphere(self.center, self.radius, ray, t)
     }
 
     #[inline(never)]
@@ -131,6 +137,12 @@ mod tests {
         if ball.radius < 0.0 { ball } else { ball.loose() }
     }
 
+    /// Their normals would be the wrong way round.
+    #[test]
+    fn spheres_turned_inside_out_are_no_balls() {
+        assert_eq!(Ball::new(&Sphere::new(Vec3::ONE, -1.0), None), None);
+    }
+
     #[test]
     fn misses_are_mostly_seen() {
         let nowhere = Placement::new(Transform::translate(Vec3::ZERO));
@@ -192,13 +204,18 @@ mod tests {
             center in vector(3.0), radius in 0.1..3.0f64, origin in vector(5.0), dir in vector(1.0), end in 0.0..9.0f64,
         ) {
             prop_assume!(dir.length() > 0.1);
-            let sphere = Sphere::new(center, -radius);
+            let sphere = Sphere::new(center, radius);
             let ball = Ball::new(&sphere, None).expect("a sphere");
             let ray = Ray::new(origin, dir.normalize());
             for max in [end, f64::INFINITY] {
                 let expected = sphere.nearest(&ray, Range::new(0.0, max));
                 match ball.meet(&ray, Range::new(0.0, max)) {
-                    Met::Sphere(found) => prop_assert_eq!(Some(Crossing::new(found)), expected),
+                    Met::Sphere(found) => {
+                        prop_assert_eq!(Some(Crossing::new(found)), expected);
+                        let (here, there) = (ball.at(&ray, found), sphere.at(&ray, &Crossing::new(found)));
+                        prop_assert_eq!((here.point, here.error), (there.point, there.error));
+                        prop_assert_eq!((here.normal, here.face), (there.normal, there.face));
+                    }
                     Met::Nothing => prop_assert_eq!(expected, None),
                     Met::Perhaps => prop_assert!(false, "the shape was not asked"),
                 }

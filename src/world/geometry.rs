@@ -60,15 +60,22 @@ pub(super) struct Found {
     /// World distance.
     pub t: f64,
     pub leaf: u32,
+    /// The place in `Geometry::balls` of what was hit, if it is there.
+    pub ball: u32,
     /// As the shape reported it, `t` in its own units.
     pub crossing: Crossing,
 }
 
 impl Found {
+    #[inline]
+    pub fn new(t: f64, leaf: u32, crossing: Crossing) -> Found {
+        Found { t, leaf, ball: NONE, crossing }
+    }
+
     /// A crossing that has no surface parameters.
     #[inline]
     pub fn on_part(t: f64, leaf: u32, local: f64, part: u32) -> Found {
-        Found { t, leaf, crossing: Crossing::on_part(local, part) }
+        Found::new(t, leaf, Crossing::on_part(local, part))
     }
 }
 
@@ -123,13 +130,11 @@ pub(super) struct Nearest {
     pub found: Option<Found>,
     root: u32,
     hidden: u8,
-    /// The crossing is a ball's: its distance in the shape's units is not worked out yet.
-    of_ball: bool,
 }
 
 impl Nearest {
     pub fn of(class: RayClass) -> Nearest {
-        Nearest { found: None, root: NONE, hidden: class.bit(), of_ball: false }
+        Nearest { found: None, root: NONE, hidden: class.bit() }
     }
 
     /// Takes the crossing of a root that `nearest` finds, if it is nearer; the new end of the range.
@@ -143,23 +148,22 @@ impl Nearest {
             Some(found) => {
                 self.found = Some(found);
                 self.root = item.root;
-                self.of_ball = false;
                 found.t.min(range.max)
             }
             None => range.max,
         }
     }
 
-    /// Takes a ball's crossing at a distance of at most `max`, if it counts; the new end of the range.
+    /// Takes the crossing of the ball at a place, at a distance of at most `max`, if it counts; the new end of the
+    /// range. Its distance in the shape's units is not worked out yet.
     #[inline]
-    fn take(&mut self, item: &Item, t: f64, max: f64) -> f64 {
+    fn take(&mut self, item: &Item, ball: u32, t: f64, max: f64) -> f64 {
         let Solid::Leaf(leaf) = item.solid else { return max };
         if item.hidden & self.hidden != 0 || (t == max && item.root >= self.root) {
             return max;
         }
-        self.found = Some(Found { t, leaf, crossing: Crossing::new(t) });
+        self.found = Some(Found { t, leaf, ball, crossing: Crossing::new(t) });
         self.root = item.root;
-        self.of_ball = true;
         t
     }
 }
@@ -253,14 +257,16 @@ impl Geometry {
                 let item = &self.finite[place as usize];
                 match self.balls[place as usize].meet(ray, within) {
                     Met::Nothing => max,
-                    Met::Sphere(t) => best.take(item, t, max),
+                    Met::Sphere(t) => best.take(item, place, t, max),
                     Met::Perhaps => {
                         best.ask(item, within, |within| self.nearest_seen(sight, (place, item), ray, within))
                     }
                 }
             });
         }
-        if let Nearest { of_ball: true, found: Some(found), .. } = &mut best {
+        if let Some(found) = &mut best.found
+            && found.ball != NONE
+        {
             self.measure_inside(found);
         }
         best.found
@@ -369,12 +375,12 @@ impl Geometry {
         match &leaf.place {
             None => {
                 let crossing = leaf.shape.nearest(ray, range)?;
-                Some(Found { t: crossing.t, leaf: index, crossing })
+                Some(Found::new(crossing.t, index, crossing))
             }
             Some(place) => {
                 let (local, length) = place.inverse_ray(ray);
                 let crossing = leaf.shape.nearest(&local, range.scaled(length))?;
-                Some(Found { t: crossing.t / length, leaf: index, crossing })
+                Some(Found::new(crossing.t / length, index, crossing))
             }
         }
     }
@@ -410,16 +416,12 @@ impl Geometry {
         match &leaf.place {
             None => {
                 leaf.shape.crossings(ray, range, crossings);
-                found.extend(crossings.iter().map(|&crossing| Found {
-                    t: crossing.t,
-                    leaf: index,
-                    crossing,
-                }));
+                found.extend(crossings.iter().map(|&crossing| Found::new(crossing.t, index, crossing)));
             }
             Some(place) => {
                 let (local, length) = place.inverse_ray(ray);
                 leaf.shape.crossings(&local, range.scaled(length), crossings);
-                let placed = |&crossing: &Crossing| Found { t: crossing.t / length, leaf: index, crossing };
+                let placed = |&crossing: &Crossing| Found::new(crossing.t / length, index, crossing);
                 found.extend(crossings.iter().map(placed));
             }
         }
@@ -448,7 +450,10 @@ impl Geometry {
         let leaf = &self.leaves[found.leaf as usize];
         let sign = if leaf.inverted { -1.0 } else { 1.0 };
         let Some(place) = &leaf.place else {
-            let at = leaf.shape.at(ray, &found.crossing);
+            let at = match self.balls.get(found.ball as usize) {
+                Some(ball) => ball.at(ray, found.t),
+                None => leaf.shape.at(ray, &found.crossing),
+            };
             let normal = sign * at.normal;
             let face = at.face.map_or(normal, |f| sign * f);
             return Located { point: at.point, error: at.error, local: at.point, normal, face };

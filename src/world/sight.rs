@@ -114,6 +114,6 @@ impl Geometry {
         let leaf = &self.leaves[index as usize];
         let (local, length) = leaf.place.as_ref().map_or((*ray, 1.0), |place| place.inverse_ray(ray));
         let crossing = leaf.shape.as_mesh()?.nearest_in(cut, &local, range.scaled(length))?;
-        Some(Found { t: crossing.t / length, leaf: index, crossing })
+        Some(Found::new(crossing.t / length, index, crossing))
     }
 }
