@@ -18,8 +18,6 @@ const TRUST: f64 = 6.0;
 const FLAT_TRUST: f64 = 2000.0;
 /// A level's measured convergence replaces the preset one gradually: at so many measurements by half.
 const CONVERGENCE_TRUST: f64 = 50.0;
-/// Means of stratified samples never converge faster or slower than this.
-const CONVERGENCE_RANGE: (f64, f64) = (0.1, 0.55);
 
 /// What the doubling of one pixel has shown.
 #[derive(Clone, Copy, Debug)]
@@ -106,17 +104,17 @@ impl Calibration {
 
     /// The convergence as it was measured, where it was.
     pub fn convergence(&self) -> Convergence {
-        let mut convergence = Convergence::default();
-        for level in 1..LEVELS {
+        let mut noise = [0f32; LEVELS];
+        for level in 2..LEVELS {
             let (count, jump, half) = self.jumps[level];
-            let preset = f64::from(convergence.ratio[level]);
             if half > 0.0 {
                 let weight = count / (count + CONVERGENCE_TRUST);
-                let measured = (jump / half).clamp(CONVERGENCE_RANGE.0, CONVERGENCE_RANGE.1);
-                convergence.ratio[level] = (weight * measured + (1.0 - weight) * preset) as f32;
+                noise[level] = (weight * Convergence::noise(level, jump / half)) as f32;
             }
         }
-        convergence
+        // New samples of the first level have no equal halves.
+        (noise[0], noise[1]) = (noise[2].max(0.0), noise[2].max(0.0));
+        Convergence::of(&noise)
     }
 
     /// What expectations of each class are to be multiplied by.
@@ -124,10 +122,11 @@ impl Calibration {
         let mut factors = [[1.0f32; BINS]; LEVELS];
         let mut flat = (1.0f64, 0.0f64);
         for (row, classes) in factors.iter_mut().zip(&self.classes) {
-            // A class without measurements goes by the next one of larger errors.
-            let mut above = 1.0;
+            // A class without measurements goes by the next one of larger errors; half as far if these were less than
+            // expected, which need not go on.
+            let mut above: f64 = 1.0;
             for (factor, class) in row.iter_mut().zip(classes) {
-                above = class.factor(above, TRUST);
+                above = class.factor(if above < 1.0 { above.sqrt() } else { above }, TRUST);
                 *factor = above as f32;
             }
             // In flat surroundings, by those with half as many samples: what is rare shows in many only.
@@ -184,11 +183,12 @@ mod tests {
         let preset = Convergence::default();
         assert_eq!(calibration.convergence().ratio, preset.ratio);
         for _ in 0..100_000 {
-            calibration.record(&measured(0.01, 0.02, 0.04));
+            calibration.record(&measured(0.01, 0.0427, 0.1));
         }
         let ratio = calibration.convergence().ratio;
-        assert!((ratio[2] - 0.5).abs() < 0.001, "{ratio:?}");
-        assert_eq!(ratio[1], preset.ratio[1]);
+        // As noise does. The first level, of which nothing else is known, goes by it, the next one does not.
+        assert!((ratio[2] - 0.592).abs() < 0.001 && (ratio[0] - 0.47).abs() < 0.001, "{ratio:?}");
+        assert_eq!(ratio[3], preset.ratio[3]);
     }
 
     /// One in a thousand flat places is not flat: the others are expected to be off accordingly.

@@ -10,7 +10,9 @@
 //! of one sample becomes that of the mean of n by [`Convergence`].
 
 use super::convergence::{Convergence, LEVELS, level};
+use super::lift::lift;
 use super::tally::{Samples, Tally};
+use crate::color::Rgb;
 use crate::picture::light::Light;
 use glam::Vec3A;
 use rayon::prelude::*;
@@ -22,13 +24,15 @@ const PRIOR_WEIGHT: f32 = 1.5;
 const RESIDUAL_TO_VARIANCE: f32 = 0.75;
 /// A pixel's linear shading adds slope²/12 to the variance of its samples, but nothing to its mean's error.
 const SLOPE_TO_VARIANCE: f32 = 1.0 / 12.0;
+/// Where colours are curved, lifting a pixel is off by this share of what it adds (squared).
+const LIFT_TO_ERROR: f32 = 0.36;
 /// However steep: this share of the samples' variance is left.
 const LEAST_SHARE: f32 = 0.1;
 /// Neighbours in flat surroundings differ by less, in each channel of light.
 pub const ALIKE: f32 = 1.0 / 1024.0;
 
 /// Change of light per pixel along x and y, for each channel.
-pub type Slope = [Vec3A; 2];
+type Slope = [Vec3A; 2];
 
 /// What is known of one pixel's error.
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,15 +53,15 @@ pub struct Around {
     /// Variance inside the neighbours.
     within: f32,
     /// How light changes, so far as neighbours agree on it.
-    pub slope: Slope,
+    slope: Slope,
+    /// What is added to the pixel's mean ([`super::lift`]).
+    pub lift: Rgb,
 }
 
 /// One pixel as its neighbours see it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     light: Vec3A,
-    /// Where the samples' mean place is, relative to the pixel's centre.
-    at: [f32; 2],
     /// Sum over the channels of the variance of a sample, times its degrees of freedom.
     spread: f32,
     /// Degrees of freedom: one less than samples.
@@ -97,22 +101,15 @@ impl Survey {
         &mut self.changed
     }
 
-    /// Looks at what has changed, and gives the expected errors of all pixels. `offset` tells where the only
-    /// sample of a pixel lies.
-    pub fn look(
-        &mut self,
-        tally: &Tally,
-        light: &Light,
-        convergence: &Convergence,
-        offset: impl Fn(usize) -> (f64, f64) + Sync,
-    ) -> Vec<Expected> {
+    /// Looks at what has changed, and gives the expected errors of all pixels.
+    pub fn look(&mut self, tally: &Tally, light: &Light, convergence: &Convergence) -> Vec<Expected> {
         let changed = &self.changed;
         self.seen
             .par_iter_mut()
             .zip(&tally.pixels)
-            .enumerate()
-            .filter(|(i, _)| changed[*i])
-            .for_each(|(i, (seen, samples))| *seen = Seen::new(samples, light, || offset(i)));
+            .zip(changed)
+            .filter(|(_, changed)| **changed)
+            .for_each(|((seen, samples), _)| *seen = Seen::new(samples, light));
         let view = View { seen: &self.seen, width: self.width };
         let gain = convergence.gain();
         let mut expected = vec![Expected::default(); self.seen.len()];
@@ -126,7 +123,7 @@ impl Survey {
                     continue;
                 }
                 if stale[y * width + x] {
-                    around[x] = view.around(x, y);
+                    around[x] = Around { lift: lift(tally, x, y), ..view.around(x, y) };
                 }
                 let plain = around[x].expected(&samples[x], light, &gain);
                 expected[x] = Expected { plain, local: plain, variance: plain };
@@ -147,12 +144,10 @@ impl Survey {
 }
 
 impl Seen {
-    fn new(samples: &Samples, light: &Light, offset: impl Fn() -> (f64, f64)) -> Self {
-        let at = if samples.count == 1 { offset() } else { (0.0, 0.0) };
+    fn new(samples: &Samples, light: &Light) -> Self {
         let freedom = samples.count.saturating_sub(1) as f32;
         Self {
             light: light.pixel(&samples.pixel()).into(),
-            at: [at.0 as f32, at.1 as f32],
             spread: variance_of_mean(samples, light, 1.0) * freedom,
             freedom,
             sampled: samples.count > 0,
@@ -221,7 +216,7 @@ impl View<'_> {
             let row = &self.seen[yy * self.width..][..self.width][columns.clone()];
             for (k, s) in row.iter().enumerate() {
                 let right = (columns.start + k) as f32 - x as f32;
-                sums.add(s, own.light, right + s.at[0], down + s.at[1]);
+                sums.add(s, own.light, right, down);
             }
         }
         let within = if sums.freedom > 0.5 { (sums.spread / sums.freedom).max(0.0) } else { 0.0 };
@@ -229,7 +224,7 @@ impl View<'_> {
             return Around { within, ..Around::default() };
         }
         let (residual, slope) = sums.plane();
-        Around { residual, within, slope }
+        Around { residual, within, slope, ..Around::default() }
     }
 
     fn surprise(self, x: usize, y: usize) -> Option<f32> {
@@ -300,7 +295,8 @@ impl Around {
         let raw = variance_of_mean(samples, light, gain);
         let slope = self.slope[0].length_squared() + self.slope[1].length_squared();
         let own = (raw - SLOPE_TO_VARIANCE * slope * gain).max(LEAST_SHARE * raw);
-        (PRIOR_WEIGHT * prior + freedom * own) / (PRIOR_WEIGHT + freedom)
+        let curved = LIFT_TO_ERROR * self.lift.length_squared();
+        (PRIOR_WEIGHT * prior + freedom * own) / (PRIOR_WEIGHT + freedom) + curved
     }
 }
 
@@ -320,7 +316,7 @@ mod tests {
         }
         let mut survey = Survey::new(&tally);
         let light = Light::new(Gamma::Power(1.0));
-        let expected = survey.look(&tally, &light, &Convergence::default(), |_| (0.0, 0.0));
+        let expected = survey.look(&tally, &light, &Convergence::default());
         (survey, expected)
     }
 
@@ -340,7 +336,7 @@ mod tests {
     fn an_edge_makes_its_neighbours_suspect() {
         let (_, expected) = look(8, 5, |x, _| if x < 4 { 0.0 } else { 1.0 });
         for (i, e) in expected.iter().enumerate() {
-            assert_eq!(e.plain > 0.05, (3..5).contains(&(i % 8)), "{i} {e:?}");
+            assert_eq!(e.plain > 0.02, (3..5).contains(&(i % 8)), "{i} {e:?}");
         }
     }
 

@@ -8,7 +8,6 @@
 use super::calibration::{Calibration, Class, FLOOR, Factors, Measured};
 use super::estimate::ALIKE;
 use super::tally::{Samples, Tally};
-use crate::picture::Pixel;
 use crate::picture::light::Light;
 use glam::Vec3A;
 
@@ -20,7 +19,10 @@ const DIFFERENCE_TO_ERROR: f32 = 0.1;
 /// expected there.
 const NEXT_TO_ERROR: f32 = 1.0 / 32.0;
 /// A measured difference counts for at least this share of itself when the sample's own error is taken away.
-const LEAST_SHARE: f32 = 0.5;
+const LEAST_SHARE: f32 = 0.7;
+
+/// Squared error of a sample in the centre over that of what a pixel with such a sample shows.
+const LIFTED_TO_SAMPLE: f32 = 2.0;
 
 /// So much of what a sample shows of something smaller than a pixel is the sample's own error.
 const OWN_SHARE: f32 = 0.65;
@@ -38,8 +40,7 @@ pub struct Gaps {
 
 impl Gaps {
     /// The sampled pixels that a gap lies between, twice the same where it lies between two.
-    pub fn corners((width, height): (usize, usize), i: usize) -> [usize; 4] {
-        let (x, y) = (i % width, i / width);
+    pub fn corners((width, height): (usize, usize), x: usize, y: usize) -> [usize; 4] {
         let (x0, y0) = (x - x % SPACING, y - y % SPACING);
         let next = |low: usize, at: usize, size: usize| {
             if at > low && low + SPACING < size { low + SPACING } else { low }
@@ -78,7 +79,7 @@ impl Gaps {
                     let (px, py) = (x * SPACING + dx, y * SPACING + dy);
                     let i = py * width + px;
                     if px < width && py < height && tally.pixels[i].count == 0 {
-                        tally.pixels[i] = Self::between(tally, i);
+                        tally.pixels[i] = Self::between(tally, px, py);
                         changed[i] = true;
                     }
                 }
@@ -103,7 +104,7 @@ impl Gaps {
                     && (own + columns - 1..own + columns + 2).all(alike);
                 if flat {
                     let jump = self.lights[own].distance_squared(first);
-                    self.record(FLOOR, jump, OWN_SHARE * jump);
+                    self.record(FLOOR, jump, OWN_SHARE / LIFTED_TO_SAMPLE * jump);
                 }
             }
         }
@@ -127,8 +128,8 @@ impl Gaps {
         }
     }
 
-    fn between(tally: &Tally, i: usize) -> Samples {
-        let corners = Self::corners((tally.width(), tally.height()), i).map(|k| &tally.pixels[k]);
+    fn between(tally: &Tally, x: usize, y: usize) -> Samples {
+        let corners = Self::corners((tally.width(), tally.height()), x, y).map(|k| &tally.pixels[k]);
         let mean = |of: &dyn Fn(&Samples) -> f32| 0.25 * corners.iter().map(|s| of(s)).sum::<f32>();
         Samples {
             count: 0,
@@ -138,15 +139,15 @@ impl Gaps {
         }
     }
 
-    /// The squared error that is expected of gap `i` at first.
-    pub fn error(&self, width: usize, i: usize) -> f32 {
-        self.spread[i / width / SPACING * width.div_ceil(SPACING) + i % width / SPACING].max(FLOOR)
+    /// The squared error that is expected of a gap at first.
+    pub fn error(&self, width: usize, x: usize, y: usize) -> f32 {
+        self.spread[y / SPACING * width.div_ceil(SPACING) + x / SPACING].max(FLOOR)
     }
 
     /// A gap of which `expected` was expected has been sampled: it was off by the root of `jump`, in which the
-    /// sample's `own` error is.
+    /// sample's `own` error is, less what lifting takes away.
     pub fn record(&mut self, expected: f32, jump: f32, own: f32) {
-        let error = (jump - own).max(LEAST_SHARE * jump);
+        let error = (jump - LIFTED_TO_SAMPLE * own).max(LEAST_SHARE * jump);
         self.calibration.record(&Measured { level: 0, expected, error, jump, half_jump: 0.0 });
     }
 
@@ -159,19 +160,11 @@ impl Gaps {
     }
 }
 
-/// The mean of four colours, of which two may be the same.
-pub fn mean_pixel(four: [Pixel; 4]) -> Pixel {
-    let [a, b, c, d] = four;
-    Pixel {
-        rgb: 0.25 * (a.rgb + b.rgb + c.rgb + d.rgb),
-        transmit: 0.25 * (a.transmit + b.transmit + c.transmit + d.transmit),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::color::{Gamma, Rgb};
+    use crate::picture::Pixel;
     use crate::render::Region;
 
     /// On a plane of light nothing is wrong inside; the last column and row show their neighbours.
@@ -195,7 +188,7 @@ mod tests {
                 (if i % 7 == 6 { 0.0 } else { 0.2 }, if i / 7 >= 4 { 0.0 } else { 0.04 });
             let of = |difference: f32| DIFFERENCE_TO_ERROR * 3.0 * difference.powi(2);
             let expected = of(along + down).max(NEXT_TO_ERROR * of(0.24));
-            assert!((gaps.error(7, i) - expected).abs() < 1e-6, "{i}: {}", gaps.error(7, i));
+            assert!((gaps.error(7, i % 7, i / 7) - expected).abs() < 1e-6, "{i}");
         }
         // Only the gaps around a pixel that changed are looked at again.
         let mut changed = vec![false; 42];

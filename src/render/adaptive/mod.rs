@@ -12,14 +12,15 @@
 //! picture is the same whatever the number of threads. Work is begun in a fixed order: a render that time
 //! ended after N samples is repeated by allowing N samples.
 //!
-//! The filter is the box of one pixel: every sample counts for the pixel in which it lies. A mean of one or
-//! two samples is moved to the pixel's centre along the slope on which its neighbours agree.
+//! The filter is the box of one pixel. Means of few samples are lifted towards their neighbours' (`lift`), which
+//! know of the same edges.
 
 mod calibration;
 mod coarse;
 mod convergence;
 mod estimate;
 mod gaps;
+mod lift;
 mod locality;
 mod order;
 mod plan;
@@ -46,7 +47,7 @@ pub struct Adaptive {
     pub max_samples: Option<u64>,
     /// The clock's time at which it ends.
     pub deadline: Option<f64>,
-    /// Samples that every pixel gets; rounded up to a power of two.
+    /// Samples that every pixel gets; rounded up to a power of two other than 2.
     pub base: u32,
     /// Whether pixels may go without any where those around them tell enough (`gaps`): then a base of 1 is for one
     /// pixel in four only.

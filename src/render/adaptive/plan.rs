@@ -6,7 +6,7 @@
 //! carried out, and then pixels are looked at again.
 
 use super::calibration::{BINS, Calibration, bin};
-use super::convergence::{Convergence, LEVELS, level};
+use super::convergence::{Convergence, LEVELS, following, level, next_level, step};
 use super::estimate::Expected;
 use super::gaps::Gaps;
 use super::sequence::mix;
@@ -37,6 +37,7 @@ const MAX_COUNT: u32 = 1 << 20;
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
     pub pixel: u32,
+    pub from: u32,
     pub to: u32,
     /// Squared errors that are expected before they are held against measured ones.
     pub plain: f32,
@@ -45,12 +46,12 @@ pub struct Task {
 
 impl Task {
     pub fn first(pixel: u32, to: u32) -> Self {
-        Self { pixel, to, plain: 0.0, local: 0.0 }
+        Self { pixel, from: 0, to, plain: 0.0, local: 0.0 }
     }
 
     fn doubling(pixel: usize, samples: &Samples, e: &Expected) -> Self {
-        let to = (samples.count * 2).max(1);
-        Self { pixel: pixel as u32, to, plain: e.plain, local: e.local }
+        let (from, to) = (samples.count, following(samples.count));
+        Self { pixel: pixel as u32, from, to, plain: e.plain, local: e.local }
     }
 }
 
@@ -149,7 +150,7 @@ impl Planner<'_> {
                 let uncertain = n * class.deviation() / (AUDIT_PRECISION * self.total.max(f64::MIN_POSITIVE));
                 let wanted = uncertain.powi(2).max(AUDIT_LEAST.min(n / 8.0)) - class.count();
                 chances[l][b] = (wanted / n).clamp(0.0, 0.5);
-                cost += chances[l][b] * n * if is_gap { 1.0 } else { 2f64.powi(l as i32) };
+                cost += chances[l][b] * n * if is_gap { 1.0 } else { step(l) };
             }
         }
         let samples = self.samples as f64;
@@ -167,7 +168,10 @@ fn gain(e: &Expected, samples: &Samples, convergence: &Convergence) -> f32 {
     let rays_per_sample = (samples.rays / samples.count.max(1) as f32).max(1.0);
     match samples.count {
         0 => first_gain(e) / rays_per_sample,
-        count => e.variance * (1.0 - convergence.ratio[level(count)]) / (count as f32 * rays_per_sample),
+        count => {
+            let samples = (following(count) - count) as f32;
+            e.variance * (1.0 - convergence.ratio[level(count)]) / (samples * rays_per_sample)
+        }
     }
 }
 
@@ -233,16 +237,20 @@ impl Ladder {
                     continue;
                 }
                 let mut below = 0.0;
-                for k in l..level(MAX_COUNT) {
+                let mut k = l;
+                while k < level(MAX_COUNT) {
                     let rung = r + (below * f64::from(Self::PER_OCTAVE)).round() as usize;
                     if rung >= Self::RUNGS - 1 {
                         break;
                     }
-                    self.samples[rung] += pixels * 2f64.powi(k as i32);
+                    self.samples[rung] += pixels * step(k);
                     self.variance[rung] += variance * (1.0 - ratio(k));
-                    // The next doubling has this share of the error to take away, for twice the samples.
+                    // The next step has this share of the error to take away, for more samples.
                     variance *= ratio(k);
-                    below -= (0.5 * ratio(k) * (1.0 - ratio(k + 1)) / (1.0 - ratio(k))).log2();
+                    let next = next_level(k);
+                    let samples = step(next) / step(k);
+                    below -= (ratio(k) * (1.0 - ratio(next)) / (1.0 - ratio(k)) / samples).log2();
+                    k = next;
                 }
             }
         }
@@ -276,24 +284,24 @@ mod tests {
         Expected { plain: variance, local: variance, variance }
     }
 
-    /// With the preset convergence a doubling takes 71 % of the error of one sample away and 69 % of what is
-    /// left: 0.71 for one sample, 0.29 * 0.69 / 2 = 0.1 a sample for the next two.
+    /// With the preset convergence three more samples take 70 % of the error of one away, four more 62 % of what is
+    /// left: 0.7 / 3 = 0.23 a sample, then 0.3 * 0.62 / 4 = 0.05.
     #[test]
     fn the_ladder_holds_all_doublings_of_a_pixel() {
         let mut ladder = Ladder::new();
         let convergence = Convergence::default();
         ladder.add(&of(1.0), &samples(1), &convergence);
         ladder.climb(&convergence);
-        let first = Ladder::rung(0.71);
-        let second = Ladder::rung(0.29 * 0.69 / 2.0);
+        let first = Ladder::rung(0.7 / 3.0);
+        let second = Ladder::rung(0.3 * 0.62 / 4.0);
         assert!(first < second);
-        assert_eq!(ladder.samples[first], 1.0);
-        assert!((ladder.variance[first] - 0.71).abs() < 1e-6);
+        assert_eq!(ladder.samples[first], 3.0);
+        assert!((ladder.variance[first] - 0.7).abs() < 1e-6);
         let next = (first + 1..Ladder::RUNGS).find(|&r| ladder.samples[r] > 0.0).unwrap();
         assert!(next.abs_diff(second) <= 1, "{next} {second}");
-        assert_eq!(ladder.samples[next], 2.0);
-        assert!((ladder.variance[next] - 0.29 * 0.69).abs() < 1e-6);
-        assert_eq!(ladder.cut(10.0, Some(0.7)), first);
+        assert_eq!(ladder.samples[next], 4.0);
+        assert!((ladder.variance[next] - 0.3 * 0.62).abs() < 1e-6);
+        assert_eq!(ladder.cut(10.0, Some(0.69)), first);
         assert_eq!(ladder.cut(10.0, Some(0.8)), next);
     }
 

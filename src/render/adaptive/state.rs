@@ -3,8 +3,9 @@
 use super::calibration::{Calibration, Measured};
 use super::coarse::stand_ins;
 use super::convergence::{Convergence, level};
-use super::estimate::{Expected, Slope, Survey};
-use super::gaps::{Gaps, SPACING, mean_pixel};
+use super::estimate::{Expected, Survey};
+use super::gaps::{Gaps, SPACING};
+use super::lift::{lift, lifted};
 use super::locality::{Locality, Shown};
 use super::order;
 use super::plan::{Planner, Task};
@@ -22,8 +23,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const CHUNK: usize = 16;
 /// Tasks that are carried out before what they found is taken in.
 const SEGMENT: usize = 1 << 15;
-/// The means of up to so many samples are moved to the pixel's centre; more are balanced by themselves.
-const CENTRED: u32 = 2;
+/// From so many samples on all lie at places of equal right.
+const MANY: u32 = 32;
 /// A survey is begun if there is time for this many of its kind.
 const SURVEY_MARGIN: f64 = 2.0;
 
@@ -142,7 +143,16 @@ impl<'a, S: Sampler + Send> State<'a, S> {
 
     fn sequence(&self, i: usize) -> Sequence {
         let (x, y) = self.tally.place(i);
-        Sequence::new(x, y, self.settings.seed)
+        let make = if self.base() >= MANY { Sequence::even } else { Sequence::new };
+        make(x, y, self.settings.seed)
+    }
+
+    /// How many samples every pixel gets.
+    fn base(&self) -> u32 {
+        match self.settings.base {
+            0 | 1 => 1,
+            n => n.next_power_of_two().max(4),
+        }
     }
 
     fn base_tasks(&self) -> Vec<Task> {
@@ -154,7 +164,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         } else {
             self.order.clone()
         };
-        let count = self.settings.base.max(1).next_power_of_two();
+        let count = self.base();
         pixels.into_iter().map(|pixel| Task::first(pixel, count)).collect()
     }
 
@@ -167,13 +177,9 @@ impl<'a, S: Sampler + Send> State<'a, S> {
                 self.gaps.learn_from_flat_places(self.tally.width());
             }
         }
-        let (tally, seed) = (&self.tally, self.settings.seed);
-        let offset = |i: usize| {
-            let (x, y) = tally.place(i);
-            Sequence::new(x, y, seed).offset(0)
-        };
+        let tally = &self.tally;
         let (light, convergence, survey) = (&self.settings.light, &self.convergence, &mut self.survey);
-        let mut expected = self.pool.install(|| survey.look(tally, light, convergence, offset));
+        let mut expected = self.pool.install(|| survey.look(tally, light, convergence));
         if self.rounds == 0 {
             for surprise in self.survey.surprises() {
                 self.calibration.record_surprise(self.convergence.error_from_jump(0, surprise));
@@ -182,9 +188,14 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let factors = self.calibration.factors();
         let locality = Locality::new(&self.tally, &self.shown);
         let width = self.tally.width();
-        for (i, (e, samples)) in expected.iter_mut().zip(&self.tally.pixels).enumerate() {
-            e.local = e.plain * locality.factor(i % width, i / width);
-            e.variance = factors.corrected(level(samples.count), e.local);
+        let rows = expected.chunks_mut(width.max(1)).zip(self.tally.pixels.chunks(width.max(1)));
+        for (y, (expected, samples)) in rows.enumerate() {
+            for (x, (e, samples)) in expected.iter_mut().zip(samples).enumerate() {
+                if samples.count > 0 {
+                    e.local = e.plain * locality.factor(x, y);
+                    e.variance = factors.corrected(level(samples.count), e.local);
+                }
+            }
         }
         if self.settings.has_gaps() {
             self.expect_of_gaps(&mut expected);
@@ -196,11 +207,17 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     fn expect_of_gaps(&self, expected: &mut [Expected]) {
         let factors = self.gaps.factors();
         let size = (self.tally.width(), self.tally.height());
-        for i in (0..expected.len()).filter(|&i| self.tally.pixels[i].count == 0) {
-            let plain = self.gaps.error(size.0, i);
-            // What a sample would be off by.
-            let local = 0.25 * Gaps::corners(size, i).map(|k| expected[k].variance).iter().sum::<f32>();
-            expected[i] = Expected { plain, local, variance: factors.corrected(0, plain) };
+        for y in 0..size.1 {
+            for x in 0..size.0 {
+                let i = y * size.0 + x;
+                if self.tally.pixels[i].count == 0 {
+                    let plain = self.gaps.error(size.0, x, y);
+                    // What a sample would be off by.
+                    let corners = Gaps::corners(size, x, y).map(|k| expected[k].variance);
+                    let local = 0.25 * corners.iter().sum::<f32>();
+                    expected[i] = Expected { plain, local, variance: factors.corrected(0, plain) };
+                }
+            }
         }
     }
 
@@ -258,18 +275,15 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     }
 
     fn merge(&mut self, task: &Task, found: &Found) {
-        let sequence = (task.to > 1).then(|| self.sequence(task.pixel as usize));
         let old = &mut self.tally.pixels[task.pixel as usize];
         if old.count == 0 && task.plain > 0.0 {
             let light = &self.settings.light;
-            let jump = squared_distance(light, &old.pixel(), &found.samples.pixel(), [0.0; 3]);
+            let jump = squared_distance(light, &old.pixel(), &found.samples.pixel());
             self.gaps.record(task.plain, jump, task.local);
         }
-        if let Some(sequence) = sequence.filter(|_| old.count > 0) {
-            let (from, to) = (old.count, old.count + found.samples.count);
-            let shift = shift(&sequence, 0..from, from..to, &self.survey.around[task.pixel as usize].slope);
-            let (a, b) = (old.pixel(), found.samples.pixel());
-            let jump = squared_distance(&self.settings.light, &a, &b, shift);
+        if old.count > 0 {
+            let shown = lifted(&old.pixel(), self.survey.around[task.pixel as usize].lift);
+            let jump = squared_distance(&self.settings.light, &shown, &found.samples.pixel());
             let error = self.convergence.error_from_jump(level(old.count), jump);
             self.shown[task.pixel as usize] = Shown { expected: task.plain, measured: error };
             self.calibration.record(&Measured {
@@ -338,7 +352,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let (a, b) = (run(from..middle), run(middle..task.to));
         let half_jump = match a.count {
             0 => 0.0,
-            _ => squared_distance(&self.settings.light, &a.pixel(), &b.pixel(), [0.0; 3]),
+            _ => squared_distance(&self.settings.light, &a.pixel(), &b.pixel()),
         };
         let samples = Samples { rays: (sampler.rays() - before) as f32, ..a.join(&b) };
         Found { samples, half_jump }
@@ -364,9 +378,9 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             let i = task.pixel as usize;
             if self.tally.pixels[i].count == task.to {
                 let e = &mut expected[i];
-                match task.to {
-                    1 => e.variance = task.local,
-                    to => e.variance *= self.convergence.ratio[level(to / 2)],
+                match task.from {
+                    0 => e.variance = task.local,
+                    from => e.variance *= self.convergence.ratio[level(from)],
                 }
             }
         }
@@ -374,26 +388,16 @@ impl<'a, S: Sampler + Send> State<'a, S> {
 
     /// The final picture.
     fn finish(&self) {
+        let width = self.tally.width();
         let mut picture = self.picture.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-        for (i, (samples, around)) in self.tally.pixels.iter().zip(&self.survey.around).enumerate() {
-            let (x, y) = self.tally.place(i);
-            let mut pixel = samples.pixel();
-            if (1..=CENTRED).contains(&samples.count) && around.slope != Slope::default() {
-                let at = middle(&self.sequence(i), 0..samples.count);
-                pixel = centred(&pixel, &around.slope, at, &self.settings.light);
-            }
-            picture.set(x, y, pixel);
-        }
-        let at = |k: usize| {
-            let (x, y) = self.tally.place(k);
-            picture.get(x, y)
-        };
-        let gaps = (0..self.tally.pixels.len()).filter(|&i| self.tally.pixels[i].count == 0);
-        let size = (self.tally.width(), self.tally.height());
-        let gaps: Vec<_> = gaps.map(|i| (i, mean_pixel(Gaps::corners(size, i).map(at)))).collect();
-        for (i, pixel) in gaps {
-            let (x, y) = self.tally.place(i);
-            picture.set(x, y, pixel);
+        let region = &self.tally.region;
+        let places = (0..self.tally.height()).flat_map(|y| (0..width).map(move |x| (x, y)));
+        for (samples, (x, y)) in self.tally.pixels.iter().zip(places) {
+            let pixel = match samples.count {
+                0 => samples.pixel(),
+                _ => lifted(&samples.pixel(), lift(&self.tally, x, y)),
+            };
+            picture.set(region.x0 + x as u32, region.y0 + y as u32, pixel);
         }
     }
 
@@ -414,40 +418,8 @@ fn total(expected: &[Expected]) -> f64 {
     expected.iter().map(|e| f64::from(e.variance)).sum()
 }
 
-/// The mean place of samples relative to the pixel's centre.
-fn middle(sequence: &Sequence, numbers: Range<u32>) -> [f32; 2] {
-    let n = f64::from(numbers.end - numbers.start);
-    let sum = numbers.map(|k| sequence.offset(k)).fold((0.0, 0.0), |a, o| (a.0 + o.0, a.1 + o.1));
-    [(sum.0 / n) as f32, (sum.1 / n) as f32]
-}
-
-/// By how much light differs between two runs of samples because they lie at different places on a slope.
-fn shift(sequence: &Sequence, a: Range<u32>, b: Range<u32>, slope: &Slope) -> [f32; 3] {
-    if a.end - a.start > CENTRED || *slope == Slope::default() {
-        return [0.0; 3];
-    }
-    let (a, b) = (middle(sequence, a), middle(sequence, b));
-    (slope[0] * (b[0] - a[0]) + slope[1] * (b[1] - a[1])).to_array()
-}
-
-/// A mean moved from where its samples lie to the pixel's centre. The slope is one of light.
-fn centred(pixel: &Pixel, slope: &Slope, at: [f32; 2], light: &Light) -> Pixel {
-    /// Over which light's own rise is measured.
-    const STEP: f32 = 1.0 / 256.0;
-    let mut channels = pixel.rgb.to_array();
-    let shifts = (slope[0] * at[0] + slope[1] * at[1]).to_array();
-    for (c, shift) in channels.iter_mut().zip(shifts) {
-        let rise = (light.of(*c + STEP) - light.of(*c - STEP)) / (2.0 * STEP);
-        // Where light hardly follows the working value (beyond white), neither does the slope.
-        if rise > STEP {
-            *c -= (shift / rise).clamp(-0.5 * c.abs(), 0.5 * c.abs());
-        }
-    }
-    Pixel { rgb: channels.into(), ..*pixel }
-}
-
-/// Squared difference of two means in light; `shift` is what they differ by for a known reason.
-fn squared_distance(light: &Light, p: &Pixel, q: &Pixel, shift: [f32; 3]) -> f32 {
+/// Squared difference of two colours in light.
+fn squared_distance(light: &Light, p: &Pixel, q: &Pixel) -> f32 {
     let (p, q) = (light.pixel(p), light.pixel(q));
-    (0..3).map(|k| (q[k] - p[k] - shift[k]).powi(2)).sum()
+    (0..3).map(|k| (q[k] - p[k]).powi(2)).sum()
 }

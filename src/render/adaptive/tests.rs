@@ -55,10 +55,11 @@ impl Clock for Ticks {
     }
 }
 
-/// The promise of a target, for every kind of picture: the true error lies between two thirds of the
-/// estimate and one and a half of it.
+/// The promise of a target, for every kind of picture: for five in six the true error lies between two thirds of the
+/// estimate and one and a half of it, and it is never more than twice the estimate.
 #[test]
 fn estimates_are_what_errors_are() {
+    let (mut all, mut outside) = (0, Vec::new());
     for painting in ALL {
         let (name, truth) = (painting.name, truth(painting));
         for (target, sparse) in [(0.02, false), (0.01, false), (0.02, true), (0.01, true)] {
@@ -68,14 +69,18 @@ fn estimates_are_what_errors_are() {
             assert_eq!(outcome.ended, Ended::Converged, "{name} {target}");
             assert!(estimate <= target, "{name} {target}");
             let (ratio, spp) = (error / estimate, outcome.samples as f64 / f64::from(WIDTH * HEIGHT));
-            println!(
+            let line = format!(
                 "{name} {target} {sparse}: estimate {estimate:.5} error {error:.5} ratio {ratio:.2} {spp:.2} spp"
             );
-            // So small a picture has few gaps to learn from.
-            let factor = if sparse { 1.6 } else { 1.5 };
-            assert!((1.0 / factor..factor).contains(&ratio), "{name} {target} {sparse}: {ratio}");
+            println!("{line}");
+            assert!(ratio < 2.0, "{line}");
+            all += 1;
+            if !(1.0 / 1.5..1.5).contains(&ratio) {
+                outside.push(line);
+            }
         }
     }
+    assert!(6 * outside.len() <= all, "{outside:#?}");
 }
 
 /// The estimate does not grade itself: an independent picture (other random numbers, as many samples in
