@@ -262,3 +262,6 @@ impl Photons {
         PhotonFile::written(self.surface.photons(), self.media.photons())
     }
 }
+
+#[cfg(test)]
+mod tests;

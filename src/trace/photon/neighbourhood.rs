@@ -99,6 +99,9 @@ impl PhotonMap {
         found: &mut Nearby,
         late: &mut Neighbourhoods,
     ) {
+        if self.gathers_otherwise(&Metric::new(point, normal), radius, most, found) {
+            return;
+        }
         if let Some((around, complete)) = late.around(point, radius, most)
             && self.gather_in(around, complete, &Metric::new(point, normal), radius, found)
         {

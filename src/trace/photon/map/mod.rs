@@ -172,6 +172,9 @@ impl PhotonMap {
         if most == 0 || self.photons.is_empty() {
             return;
         }
+        if self.gathers_otherwise(metric, radius, most, found) {
+            return;
+        }
         let within = |hint: f64, found: &mut Nearby| {
             found.members.clear();
             hint < radius && self.search(metric, (hint, radius), most, found)
@@ -515,6 +518,15 @@ fn find_astray(photons: &[PackedPhoton], astray: &mut [i32]) {
 
 fn split_axis(photon: &PackedPhoton) -> usize {
     usize::from(photon.axis.min(2))
+}
+
+#[cfg(not(test))]
+impl PhotonMap {
+    /// Tests search by other rules, too.
+    #[inline(always)]
+    pub(super) fn gathers_otherwise(&self, _: &Metric, _: f64, _: usize, _: &mut Nearby) -> bool {
+        false
+    }
 }
 
 #[cfg(test)]

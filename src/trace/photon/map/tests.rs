@@ -53,8 +53,8 @@ fn a_full_search_is_that_of_the_reference() {
         let p = Vec3::new(f64::from(i) * 0.015 - 4.0, 0.1, 0.5);
         let normal = (i % 2 == 0).then_some(Vec3::Y);
         map.gather(p, 1.5, 40, normal, &mut found);
-        let mut slow = Slow { p, normal, square: 2.25, radius: 1.5, kept: Vec::new() };
-        slow.visit(&map.photons, 0);
+        let metric = Metric::new(p, normal);
+        let slow = Slow::search(&map, &metric, 1.5, 40);
         assert_eq!(found.members.len(), slow.kept.len());
         let is_kept = |m: &&(f64, u32)| slow.kept.iter().any(|k| k.1 == m.1);
         let same = found.members.iter().filter(is_kept).count();
@@ -95,28 +95,77 @@ fn searches_do_not_hang_on_those_before() {
     }
 }
 
-struct Slow {
-    p: Vec3,
-    normal: Option<Vec3>,
+/// Another way to search; tests of a thread change it for that thread.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Rule {
+    Own,
+    /// The reference's, as far as it is known.
+    Reference,
+    /// The nearest photons of all.
+    Nearest,
+}
+
+thread_local! {
+    pub static RULE: std::cell::Cell<Rule> = const { std::cell::Cell::new(Rule::Own) };
+}
+
+impl PhotonMap {
+    /// Whether another rule holds, by which `found` is then filled.
+    pub(in crate::trace::photon) fn gathers_otherwise(
+        &self,
+        metric: &Metric,
+        radius: f64,
+        most: usize,
+        found: &mut Nearby,
+    ) -> bool {
+        found.radius = radius;
+        match RULE.get() {
+            Rule::Own => return false,
+            Rule::Reference => {
+                let slow = Slow::search(self, metric, radius, most);
+                (found.members, found.radius) = (slow.kept, slow.radius);
+            }
+            Rule::Nearest => {
+                let all = nearest(self, metric, radius, most + 1);
+                let square = |i: u32| metric.square(self.away(i as usize, metric.point));
+                found.members = all.iter().take(most).map(|&i| (square(i), i)).collect();
+                if all.len() > most {
+                    found.radius = found.members[most - 1].0.sqrt();
+                }
+            }
+        }
+        true
+    }
+}
+
+struct Slow<'a> {
+    metric: &'a Metric,
+    most: usize,
     square: f64,
     radius: f64,
     kept: Vec<(f64, u32)>,
 }
 
-impl Slow {
+impl<'a> Slow<'a> {
+    fn search(map: &PhotonMap, metric: &'a Metric, radius: f64, most: usize) -> Self {
+        let mut slow = Slow { metric, most, square: radius * radius, radius, kept: Vec::new() };
+        slow.visit(&map.photons, 0);
+        slow
+    }
+
     fn visit(&mut self, range: &[PackedPhoton], first: u32) {
         if range.is_empty() {
             return;
         }
         let middle = (range.len() - 1) / 2;
-        let away = range[middle].point() - self.p;
+        let away = range[middle].point() - self.metric.point;
         let along = away[usize::from(range[middle].axis)];
-        let d = away.length_squared() * (1.0 + self.normal.map_or(0.0, |n| (16.0 * n).dot(away).abs()));
+        let d = self.metric.square(away);
         if along * along <= self.square && d < self.square {
             self.kept.push((d, first + middle as u32));
-            if self.kept.len() > 40 {
-                let old = &self.kept[..40];
-                let far = (0..40).fold(0, |f, i| if old[i].0 > old[f].0 { i } else { f });
+            if self.kept.len() > self.most {
+                let old = &self.kept[..self.most];
+                let far = (0..self.most).fold(0, |f, i| if old[i].0 > old[f].0 { i } else { f });
                 self.kept.swap_remove(far);
                 self.square = self.kept.iter().map(|m| m.0).fold(0.0, f64::max);
                 self.radius = self.square.sqrt();
