@@ -20,7 +20,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("indicatif", &["cli/"]),
     ("logos", &["syntax/"]),
     ("obvhs", &["math/bvh/"]),
-    ("rayon", &["math/bvh/", "render/", "trade/", "cli/"]),
+    ("rayon", &["math/bvh/", "trace/photon/", "render/", "trade/", "cli/"]),
     ("serde_json", &["cli/"]),
     ("tobj", &["interp/"]),
     ("ttf_parser", &["shape/"]),

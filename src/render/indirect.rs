@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 /// Shots that a thread takes at once.
-const SHOTS: usize = 256;
+const SHOTS: usize = 128;
 
 /// Spreads light over the scene before the picture is traced: photons, then diffuse light between surfaces,
 /// each if the scene asks for it. Also gives back what was counted.
@@ -42,18 +42,21 @@ fn shoot(
 ) -> Arc<Photons> {
     let mut tracers: Vec<Mutex<Tracer>> =
         (0..pool.current_num_threads()).map(|_| Mutex::new(shooting.tracer())).collect();
-    while let Some(shots) = shooting.aim() {
-        if observer.cancelled() {
-            break;
+    // One of the pool's threads plans the salvos: it need not be woken for each.
+    pool.install(|| {
+        while let Some(shots) = shooting.aim() {
+            if observer.cancelled() {
+                break;
+            }
+            let landed = if shooting.is_serial() {
+                let tracer = tracers[0].get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+                shooting.follow_serially(tracer)
+            } else {
+                follow(&shooting, &tracers, shots, pool)
+            };
+            shooting.land(landed);
         }
-        let landed = if shooting.is_serial() {
-            let tracer = tracers[0].get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
-            pool.install(|| shooting.follow_serially(tracer))
-        } else {
-            follow(&shooting, &tracers, shots, pool)
-        };
-        shooting.land(landed);
-    }
+    });
     for tracer in tracers {
         *counters += tracer.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()).counters();
     }

@@ -3,6 +3,9 @@
 
 use crate::light::PackedPhoton;
 
+/// Halves of more photons than this are ordered by two threads.
+const ALONE: usize = 1 << 11;
+
 /// Orders a range of photons: along the axis of its largest extent, the median in the middle.
 pub fn ordered(photons: &mut [PackedPhoton]) {
     let count = photons.len();
@@ -18,8 +21,12 @@ pub fn ordered(photons: &mut [PackedPhoton]) {
     }
     photons[middle].axis = axis as u8;
     let (low, high) = photons.split_at_mut(middle);
-    ordered(low);
-    ordered(&mut high[1..]);
+    if count > ALONE {
+        rayon::join(|| ordered(low), || ordered(&mut high[1..]));
+    } else {
+        ordered(low);
+        ordered(&mut high[1..]);
+    }
 }
 
 /// Of equal extents the first axis counts.

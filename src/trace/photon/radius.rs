@@ -3,9 +3,10 @@
 //!
 //! `R0 = sqrt(G / (pi rho))` for the mean density rho around random photons, `G` the photons wanted; then
 //! `R0 (1 + 20 p)`, p being the share of random photons around which the density is much lower than rho.
-//! In media the same with spheres.
+//! In media the same with spheres. The random photons are drawn in order, and looked around by all threads.
 
 use super::map::{Nearby, PhotonMap};
+use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::f64::consts::PI;
 
@@ -61,16 +62,17 @@ fn density(found: &Nearby, in_media: bool) -> Option<f64> {
 pub fn automatic(map: &PhotonMap, most: usize, in_media: bool, random: &mut Feedback) -> f64 {
     let count = map.photons().len();
     let trials = (count / 20).clamp(100, 1000);
-    let mut found = Nearby::default();
-    let mut try_at = |radius: f64, found: &mut Nearby| {
-        let photon = &map.photons()[random.draw() as usize % count];
-        map.gather(photon.point(), radius, most, None, found);
-        density(found, in_media)
+    let mut densities_at = |radius: f64| -> Vec<Option<f64>> {
+        let drawn: Vec<usize> = (0..trials).map(|_| random.draw() as usize % count).collect();
+        let density_at = |found: &mut Nearby, &i: &usize| {
+            map.gather(map.photons()[i].point(), radius, most, None, found);
+            density(found, in_media)
+        };
+        drawn.par_iter().map_init(Nearby::default, density_at).collect()
     };
     let (mut sum, mut n) = (0.0, 0.0);
-    for _ in 0..trials {
-        let mean = if n > 0.0 { sum / n } else { 0.0 };
-        sum += try_at(EVERYWHERE, &mut found).unwrap_or(mean);
+    for density in densities_at(EVERYWHERE) {
+        sum += density.unwrap_or(if n > 0.0 { sum / n } else { 0.0 });
         n += 1.0;
     }
     let mean = sum / n;
@@ -80,7 +82,7 @@ pub fn automatic(map: &PhotonMap, most: usize, in_media: bool, random: &mut Feed
         (most as f64 / (PI * mean)).sqrt()
     };
     let sparse = |d: &f64| (SPARSE.start * mean < *d) && (*d < SPARSE.end * mean);
-    let few = (0..trials).filter_map(|_| try_at(ideal, &mut found)).filter(sparse).count();
+    let few = densities_at(ideal).iter().flatten().filter(|d| sparse(d)).count();
     ideal * (1.0 + GROWTH * few as f64 / trials as f64)
 }
 
