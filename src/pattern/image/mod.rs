@@ -27,6 +27,7 @@ enum Texels {
     Palette {
         indices: Vec<u8>,
         palette: Vec<Texel>,
+        alpha: bool,
     },
     /// 1 to 4 bytes each: grey, grey and alpha, RGB, RGB and alpha.
     Bytes {
@@ -63,13 +64,13 @@ impl Image {
         let (width, height) = (decoded.width, decoded.height);
         let mut premultiplied = false;
         let texels = match decoded.samples {
-            Samples::Palette { indices, palette } => {
+            Samples::Palette { indices, palette, alpha } => {
                 let level = |v: u8| transfer.value(f64::from(v) / 255.0);
                 let color = |c: [u8; 4]| Texel {
                     rgb: Rgb::new(level(c[0]), level(c[1]), level(c[2])),
                     alpha: f32::from(c[3]) / 255.0,
                 };
-                Texels::Palette { indices, palette: palette.into_iter().map(color).collect() }
+                Texels::Palette { indices, palette: palette.into_iter().map(color).collect(), alpha }
             }
             Samples::Bytes { channels, data, truncated_grey } => {
                 let level = |v: usize| transfer.value(v as f64 / 255.0);
@@ -97,7 +98,7 @@ impl Image {
     pub fn texel(&self, x: usize, y: usize) -> Texel {
         let i = y * self.width + x;
         match &self.texels {
-            Texels::Palette { indices, palette } => {
+            Texels::Palette { indices, palette, .. } => {
                 palette.get(usize::from(indices[i])).copied().unwrap_or(Texel { rgb: Rgb::ZERO, alpha: 1.0 })
             }
             Texels::Bytes { channels, data, curve } => {
@@ -132,10 +133,10 @@ impl Image {
         }
     }
 
-    /// Whether there is room for transparency beside the colours; a palette has it.
+    /// Whether there is room for transparency beside the colours.
     pub fn has_alpha(&self) -> bool {
         match &self.texels {
-            Texels::Palette { .. } => true,
+            Texels::Palette { palette, alpha, .. } => *alpha || palette.iter().any(|c| c.alpha != 1.0),
             Texels::Bytes { channels, .. } => channels % 2 == 0,
             Texels::Floats(texels) => texels.iter().any(|c| c.alpha != 1.0),
         }

@@ -28,8 +28,12 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let palette = colors(palette.get(..offset.saturating_sub(14 + header as usize)).unwrap_or(palette), old);
     let pixels = bytes.get(offset..).ok_or("the file ends too early")?;
     let samples = match (bits, compression) {
-        (1 | 4 | 8, 0) => Samples::Palette { indices: packed(pixels, width, height, bits.into())?, palette },
-        (8, 1) | (4, 2) => Samples::Palette { indices: runs(pixels, width, height, bits == 4)?, palette },
+        (1 | 4 | 8, 0) => {
+            Samples::Palette { indices: packed(pixels, width, height, bits.into())?, palette, alpha: false }
+        }
+        (8, 1) | (4, 2) => {
+            Samples::Palette { indices: runs(pixels, width, height, bits == 4)?, palette, alpha: false }
+        }
         (24 | 32, 0 | 3) => direct(pixels, width, height, usize::from(bits) / 8)?,
         _ => return Err(format!("{bits} bits with compression {compression} cannot be read")),
     };

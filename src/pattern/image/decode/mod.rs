@@ -27,6 +27,8 @@ pub enum Samples {
     Palette {
         indices: Vec<u8>,
         palette: Vec<[u8; 4]>,
+        /// Whether files of the kind can have transparent colours.
+        alpha: bool,
     },
     /// 1 to 4 channels: grey, grey and alpha, RGB, RGB and alpha.
     Bytes {

@@ -10,7 +10,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
         let image = image.map_err(|e| e.to_string())?.into_luma8();
         let (width, height) = (image.width() as usize, image.height() as usize);
         area(width, height)?;
-        let samples = Samples::Palette { indices: image.into_raw(), palette };
+        let samples = Samples::Palette { indices: image.into_raw(), palette, alpha: false };
         return Ok(Decoded { width, height, samples, profile: Profile::Unknown });
     }
     let image = image::load_from_memory_with_format(bytes, ImageFormat::Tiff).map_err(|e| e.to_string())?;
@@ -129,7 +129,7 @@ mod tests {
         for big_endian in [false, true] {
             let decoded = decode(&file(big_endian)).unwrap();
             assert_eq!((decoded.width, decoded.height), (2, 1));
-            let Samples::Palette { indices, palette } = decoded.samples else { panic!("no palette") };
+            let Samples::Palette { indices, palette, .. } = decoded.samples else { panic!("no palette") };
             assert_eq!((indices, palette[9]), (vec![5, 9], [9, 9, 9, 255]));
         }
         // A table that is not all there.
