@@ -418,6 +418,19 @@ mod tests {
         assert!(s.normal(ray.at(c.t), &c).distance(Vec3::NEG_Z) < 1e-12);
     }
 
+    #[test]
+    fn powers_by_multiplying_are_the_library_s() {
+        for k in [1.0, 2.0, 3.0, 20.0, 40.0, 63.0, 64.0, 65.0, 2.5, 0.1] {
+            for ratio in [0.0, 1e-9, 0.3, 0.7, 0.999, 1.0] {
+                let expected = f64::powf(ratio, k);
+                assert!(
+                    (powered(ratio, k) - expected).abs() <= (k + 2.0) * f64::EPSILON * expected,
+                    "{ratio} {k}"
+                );
+            }
+        }
+    }
+
     /// With equal exponents one root does what two do one inside the other.
     #[test]
     fn equal_exponents_need_one_root() {

@@ -6,8 +6,9 @@ use crate::world::{Sight, World};
 
 /// Side of a square of the picture, in pixels.
 const SIDE: f64 = 8.0;
-/// Squares along each side of the camera's table: those of one block do not displace each other.
-const SQUARES: usize = 4;
+/// Squares along each side of the camera's table: those of one block, wherever it begins, and of its borders do not
+/// displace each other.
+const SQUARES: usize = 8;
 
 /// A square with what is seen through it.
 struct Square {
@@ -76,26 +77,36 @@ mod tests {
     /// what is known of their squares, also between pixels and past the picture's edge.
     #[test]
     fn known_squares_show_the_same() {
-        for mesh in ["", "scale 0.5 rotate <10, 20, 30> translate <0.2, 0.1, 0>", "scale <1, 2, 1>"] {
+        let cases = [
+            ("", "", true),
+            ("right -1.33 * x", "scale 0.5 rotate <10, 20, 30> translate <0.2, 0.1, 0>", true),
+            ("right <1.2, 0.3, 0> up <0.2, 1, 0.1>", "scale <-1, 1, 1> rotate 40 * z", true),
+            ("", "scale <1, 2, 1>", false),
+        ];
+        for (camera, mesh, has_cuts) in cases {
             let text = format!(
-                "#version 3.7; camera {{ location <0.3, 1, -3> look_at 0 }} light_source {{ <3, 5, -4> 1 }}
+                "#version 3.7; camera {{ location <0.3, 1, -3> {camera} look_at 0 }} light_source {{ <3, 5, -4> 1 }}
                 #declare R = seed(3);
                 #for (I, 1, 200) sphere {{ <rand(R), rand(R), rand(R)> * 2 - 1, 0.05 }} #end
                 plane {{ y, -1 }}
                 mesh {{ #for (I, 1, 600) #local P = <rand(R), rand(R), rand(R)> * 2 - 1;
                   triangle {{ P, P + 0.2 * <rand(R), rand(R), rand(R)>, P + 0.2 * <rand(R), rand(R), rand(R)> }} #end
+                  // Faces on each other.
+                  #for (I, -8, 7) #for (K, 1, 3)
+                    triangle {{ <I / 8, 0, 0>, <I / 8 + 0.3, 0, 0>, <I / 8, 0, K / 2> }} #end #end
                   {mesh} }}"
             );
             let world = world(&text);
             let context = Tracer::new(&world, &Settings::default()).context;
             let size = (64.0, 48.0);
             let mut sights = Sights::new(&world, size);
-            let (mut hits, mut known) = (0, 0);
+            let (mut hits, mut known, mut cuts) = (0, 0, 0);
             for i in 0..4000 {
                 let place = (f64::from(i % 67) * 0.993 - 1.0, f64::from(i / 67) * 0.85 - 1.0);
                 let Some(ray) = world.scene.camera.ray(place.0, place.1, size, &context) else { continue };
                 let expected = world.nearest(&ray, Range::FORWARD, RayClass::Image);
                 if let Some(sight) = sights.at(&world, place, size) {
+                    cuts += sight.mesh_count();
                     let found = world.nearest_in_sight(sight, &ray, Range::FORWARD, RayClass::Image);
                     let told = |hit: Option<Hit>| hit.map(|hit| (hit.t, hit.item, hit.crossing));
                     hits += usize::from(found.is_some());
@@ -103,7 +114,7 @@ mod tests {
                     known += 1;
                 }
             }
-            assert!(hits > 1000 && known == 4000, "{hits} {known}");
+            assert!(hits > 1000 && known == 4000 && (cuts > 1000) == has_cuts, "{hits} {known} {cuts}");
         }
     }
 

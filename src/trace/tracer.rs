@@ -290,6 +290,7 @@ impl<'w> Tracer<'w> {
 
     /// A camera's only ray through a place.
     fn sharp_ray(&mut self, ray: Ray, place: (f64, f64), size: (f64, f64)) -> Radiance {
+        // Cameras that do not see to any distance have no beams.
         let hit = match self.sights.at(self.world, place, size) {
             Some(sight) => self.world.nearest_in_sight(sight, &ray, Range::FORWARD, RayClass::Image),
             None => return self.camera_ray(ray),

@@ -31,8 +31,8 @@ const SMALL: f64 = 1e-5;
 impl Ball {
     pub const NONE: Ball = Ball { center: Vec3::ZERO, radius: f64::NAN };
 
-    /// `None` unless `shape` is a sphere in the world too. What is hit is found in the sphere's own space in any
-    /// case; here only distances are measured.
+    /// `None` unless `shape` is a sphere in the world too. Of a placed sphere only distances are measured here: what is
+    /// hit is found in its own space.
     pub fn new(shape: &dyn Shape, place: Option<&Placement>) -> Option<Ball> {
         let (center, radius) = shape.sphere()?;
         let Some(place) = place else { return Some(Ball { center, radius }) };

@@ -5,9 +5,12 @@ use super::geometry::{Found, Geometry, Item, Solid};
 use super::hit::RayClass;
 use crate::math::bvh::{Cut, CutTree};
 use crate::math::{Beam, Range, Ray};
+use crate::shape::Mesh;
 
 /// Trees of fewer nodes are gone through as quickly.
 const WORTHWHILE: usize = 16;
+/// The longest list of objects among which meshes are looked for.
+const FEW: usize = 8;
 
 /// The parts of trees that a [`Beam`] runs through; kept to be filled again.
 #[derive(Debug, Default)]
@@ -25,23 +28,30 @@ impl Sight {
         self.has_roots || !self.meshes.is_empty()
     }
 
+    #[cfg(test)]
+    pub fn mesh_count(&self) -> usize {
+        self.meshes.len()
+    }
+
     fn mesh(&self, place: u32) -> Option<&Cut> {
         self.meshes.iter().find(|(of, _)| *of == place).map(|(_, cut)| cut)
     }
+}
+
+fn is_large(mesh: &Mesh) -> bool {
+    mesh.node_count() >= WORTHWHILE
 }
 
 impl Geometry {
     /// Whether there is so much in the scene that sights save time.
     pub fn deserves_sights(&self) -> bool {
         let is_large_mesh = |item: &Item| match item.solid {
-            Solid::Leaf(i) => {
-                self.leaves[i as usize].shape.as_mesh().is_some_and(|m| m.node_count() >= WORTHWHILE)
-            }
+            Solid::Leaf(i) => self.leaves[i as usize].shape.as_mesh().is_some_and(is_large),
             Solid::Compound(_) => false,
         };
         match &self.search {
             Finite::Tree(tree) => tree.node_count() >= WORTHWHILE || self.finite.iter().any(is_large_mesh),
-            Finite::List(_) => self.finite.iter().any(is_large_mesh),
+            Finite::List(_) => self.finite.len() <= FEW && self.finite.iter().any(is_large_mesh),
             Finite::Grid(_) => false,
         }
     }
@@ -73,7 +83,7 @@ impl Geometry {
     fn cut_mesh(&self, item: &Item, beam: &Beam, cut: &mut Cut) -> bool {
         let Solid::Leaf(i) = item.solid else { return false };
         let leaf = &self.leaves[i as usize];
-        let Some(mesh) = leaf.shape.as_mesh() else { return false };
+        let Some(mesh) = leaf.shape.as_mesh().filter(|mesh| is_large(mesh)) else { return false };
         let Some(place) = &leaf.place else { return mesh.cut(beam, cut) };
         let local = place.even_scale().and_then(|_| {
             beam.mapped(place.inverse_point(beam.apex), |v| place.transform.inverse.matrix3 * v)

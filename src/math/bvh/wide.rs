@@ -8,7 +8,7 @@ use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 
 /// Room for waiting children that a ray sets aside without asking for memory; deeper trees ask.
-const STACK: usize = 96;
+const STACK: usize = 104;
 
 /// A [`Setup`] with every number eight times.
 struct Wide {

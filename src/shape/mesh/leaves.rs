@@ -96,18 +96,20 @@ impl Leaves {
     }
 
     /// What a search for the nearest face beyond `min` does with a leaf: keeps in `best` the nearest so far, and
-    /// gives back its distance.
+    /// gives back its distance. Of equally near ones that with the least of `numbers` counts, whatever is visited first.
     #[inline(always)]
     pub fn nearer(
         &self,
         ray: &Ray,
         min: f64,
+        numbers: &[u32],
         best: &mut Option<(u32, Passage)>,
     ) -> impl FnMut(Range<u32>, f64) -> f64 {
         let shear = Shear::new(ray.dir);
         move |leaf, mut max| {
             self.each_passed(leaf, ray, &shear, |face, hit| {
-                if hit.0 > min && hit.0 < max {
+                let comes_first = |other: &(u32, Passage)| numbers[face as usize] < numbers[other.0 as usize];
+                if hit.0 > min && (hit.0 < max || hit.0 == max && best.as_ref().is_some_and(comes_first)) {
                     *best = Some((face, hit));
                     max = hit.0;
                 }

@@ -122,7 +122,7 @@ impl Mesh {
     pub fn nearest_in(&self, cut: &Cut, ray: &Ray, range: Range) -> Option<Crossing> {
         let (faces, mut best) = (self.faces(), None);
         let tree = CutTree { tree: &faces.tree, cut };
-        tree.traverse_leaves(ray, range, faces.leaves.nearer(ray, range.min, &mut best));
+        tree.traverse_leaves(ray, range, faces.leaves.nearer(ray, range.min, &faces.numbers, &mut best));
         best.map(|(face, hit)| Self::crossing(face, hit))
     }
 
@@ -247,7 +247,11 @@ impl Shape for Mesh {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let (faces, mut best) = (self.faces(), None);
-        faces.tree.traverse_leaves(ray, range, faces.leaves.nearer(ray, range.min, &mut best));
+        faces.tree.traverse_leaves(
+            ray,
+            range,
+            faces.leaves.nearer(ray, range.min, &faces.numbers, &mut best),
+        );
         best.map(|(face, hit)| Self::crossing(face, hit))
     }
 
