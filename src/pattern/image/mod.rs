@@ -65,10 +65,10 @@ impl Image {
         let mut premultiplied = false;
         let texels = match decoded.samples {
             Samples::Palette { indices, palette, alpha } => {
-                let level = |v: u8| transfer.value(f64::from(v) / 255.0);
-                let color = |c: [u8; 4]| Texel {
+                let level = |v: u16| transfer.value(f64::from(v) / 65535.0);
+                let color = |c: [u16; 4]| Texel {
                     rgb: Rgb::new(level(c[0]), level(c[1]), level(c[2])),
-                    alpha: f32::from(c[3]) / 255.0,
+                    alpha: f32::from(c[3]) / 65535.0,
                 };
                 Texels::Palette { indices, palette: palette.into_iter().map(color).collect(), alpha }
             }

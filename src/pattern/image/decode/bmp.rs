@@ -26,6 +26,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     area(width, height)?;
     let palette = bytes.get(14 + header as usize..).ok_or("the file ends too early")?;
     let palette = colors(palette.get(..offset.saturating_sub(14 + header as usize)).unwrap_or(palette), old);
+    let palette = super::widened(palette);
     let pixels = bytes.get(offset..).ok_or("the file ends too early")?;
     let samples = match (bits, compression) {
         (1 | 4 | 8, 0) => {

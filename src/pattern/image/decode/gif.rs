@@ -26,7 +26,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
             }
             b',' => {
                 let (width, height, indices) = picture(&mut input)?;
-                let samples = Samples::Palette { indices, palette, alpha: true };
+                let samples = Samples::Palette { indices, palette: super::widened(palette), alpha: true };
                 return Ok(Decoded { width, height, samples, profile: Profile::PerhapsSrgb });
             }
             _ => return Err("the file has no picture".to_owned()),

@@ -26,7 +26,7 @@ pub enum Samples {
     /// Red, green, blue, alpha of each entry.
     Palette {
         indices: Vec<u8>,
-        palette: Vec<[u8; 4]>,
+        palette: Vec<[u16; 4]>,
         /// Whether files of the kind can have transparent colours.
         alpha: bool,
     },
@@ -113,6 +113,11 @@ impl Format {
             _ => Ok(decoded),
         }
     }
+}
+
+/// Colours of bytes as ones of 16 bits.
+fn widened(palette: Vec<[u8; 4]>) -> Vec<[u16; 4]> {
+    palette.into_iter().map(|color| color.map(|v| u16::from(v) * 257)).collect()
 }
 
 /// More pixels than this are refused.

@@ -23,7 +23,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let samples = match (frame.color_type, frame.bit_depth) {
         (ColorType::Indexed, _) => {
             let palette = palette(info.palette.as_deref().unwrap_or_default(), info.trns.as_deref());
-            Samples::Palette { indices: unpacked(&data), palette, alpha: true }
+            Samples::Palette { indices: unpacked(&data), palette: super::widened(palette), alpha: true }
         }
         (color, BitDepth::Sixteen) => {
             let words = data.chunks_exact(2).map(|b| u16::from_be_bytes([b[0], b[1]])).collect();

@@ -96,7 +96,11 @@ fn samples(header: &Header, pixels: Vec<u8>, palette: Vec<[u8; 4]>) -> Result<Sa
     };
     let pixels = rows.into_iter().flat_map(|row| row.chunks_exact(size));
     match (header.kind, header.depth) {
-        (1, 8) => Ok(Samples::Palette { indices: pixels.map(|b| b[0]).collect(), palette, alpha: false }),
+        (1, 8) => Ok(Samples::Palette {
+            indices: pixels.map(|b| b[0]).collect(),
+            palette: super::widened(palette),
+            alpha: false,
+        }),
         (3, 8) => {
             Ok(Samples::Bytes { channels: 1, data: pixels.map(|b| b[0]).collect(), truncated_grey: false })
         }

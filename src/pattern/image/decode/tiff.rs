@@ -1,4 +1,4 @@
-//! TIFF. Samples of 16 bits are reduced to 8, and alpha is taken to have been multiplied into the colours; colours
+//! TIFF. Samples of 16 bits are reduced to 8, colours of palettes are not; alpha is taken to have been multiplied into the colours; colours
 //! without it count as opaque, as if the file said so.
 
 use super::{Decoded, Profile, Samples, area};
@@ -25,6 +25,9 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
         image => (3, image.into_rgb8().into_raw()),
     };
     let samples = match channels {
+        4 if data.chunks_exact(4).all(|c| c[3] == 255) => {
+            Samples::Bytes { channels, data, truncated_grey: false }
+        }
         4 => Samples::Floats {
             channels,
             data: data.chunks_exact(4).flat_map(separated).collect(),
@@ -39,7 +42,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
 }
 
 /// A file of palette indices as one of grey values, which are the indices, and its palette; `None` for other files.
-fn without_palette(bytes: &[u8]) -> Option<(Vec<u8>, Vec<[u8; 4]>)> {
+fn without_palette(bytes: &[u8]) -> Option<(Vec<u8>, Vec<[u16; 4]>)> {
     let big_endian = match bytes.get(..4)? {
         b"II*\0" => false,
         b"MM\0*" => true,
@@ -61,9 +64,10 @@ fn without_palette(bytes: &[u8]) -> Option<(Vec<u8>, Vec<[u8; 4]>)> {
         return None;
     }
     let table = long(colors + 8)?;
-    let level = |channel: usize, i: usize| short(table.checked_add(2 * (256 * channel + i))?).map(reduced);
-    let palette =
-        (0..256).map(|i| Some([level(0, i)?, level(1, i)?, level(2, i)?, 255])).collect::<Option<_>>()?;
+    let level = |channel: usize, i: usize| short(table.checked_add(2 * (256 * channel + i))?);
+    let palette = (0..256)
+        .map(|i| Some([level(0, i)?, level(1, i)?, level(2, i)?, u16::MAX]))
+        .collect::<Option<_>>()?;
     let mut as_grey = bytes.to_vec();
     // Grey values, black is 0.
     as_grey[meaning + 8..meaning + 10].copy_from_slice(if big_endian { &[0, 1] } else { &[1, 0] });
@@ -130,7 +134,7 @@ mod tests {
             let decoded = decode(&file(big_endian)).unwrap();
             assert_eq!((decoded.width, decoded.height), (2, 1));
             let Samples::Palette { indices, palette, .. } = decoded.samples else { panic!("no palette") };
-            assert_eq!((indices, palette[9]), (vec![5, 9], [9, 9, 9, 255]));
+            assert_eq!((indices, palette[9]), (vec![5, 9], [9 * 256, 9 * 256 + 1, 9 * 256 + 2, u16::MAX]));
         }
         // A table that is not all there.
         assert!(decode(&file(true)[..900]).is_err());
