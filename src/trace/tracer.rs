@@ -295,17 +295,17 @@ impl<'w> Tracer<'w> {
             Some(sight) => self.world.nearest_in_sight(sight, &ray, Range::FORWARD, RayClass::Image),
             None => return self.camera_ray(ray),
         };
-        self.from_camera(ray, hit.as_ref())
+        self.seen_by_camera(ray, hit.as_ref())
     }
 
     pub(super) fn camera_ray(&mut self, ray: Ray) -> Radiance {
         let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
         let hit = self.world.nearest(&ray, range, RayClass::Image);
-        self.from_camera(ray, hit.as_ref())
+        self.seen_by_camera(ray, hit.as_ref())
     }
 
     /// A ray of the camera whose hit is known.
-    fn from_camera(&mut self, ray: Ray, hit: Option<&Hit>) -> Radiance {
+    fn seen_by_camera(&mut self, ray: Ray, hit: Option<&Hit>) -> Radiance {
         self.counters.camera_rays += 1;
         if let Some(radiosity) = &mut self.radiosity {
             radiosity.begin_ray();

@@ -105,11 +105,11 @@ impl Calibration {
     /// The convergence as it was measured, where it was.
     pub fn convergence(&self) -> Convergence {
         let mut noise = [0f32; LEVELS];
-        for level in 2..LEVELS {
+        for (level, noise) in noise.iter_mut().enumerate().skip(2) {
             let (count, jump, half) = self.jumps[level];
             if half > 0.0 {
                 let weight = count / (count + CONVERGENCE_TRUST);
-                noise[level] = (weight * Convergence::noise(level, jump / half)) as f32;
+                *noise = (weight * Convergence::noise(level, jump / half)) as f32;
             }
         }
         // New samples of the first level have no equal halves.
