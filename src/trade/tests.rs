@@ -116,7 +116,7 @@ const SIZE: Size = Size { width: 96, height: 72 };
 #[test]
 fn a_sweep_measures_every_way_of_the_grid() {
     let subject = Painting::new(Axes::default());
-    let m = measured(&subject, SIZE, 200.0).unwrap();
+    let m = measured(&subject, SIZE, 260.0).unwrap();
     assert_eq!((m.size, m.reduced, m.rows.len(), m.left_out.len()), (SIZE, false, 18, 0));
     // Each row's numbers are those of its picture and its time.
     for row in &m.rows {
