@@ -75,14 +75,8 @@ fn compare_hit(row: &Row, objects: &mut Objects, from: usize, tolerance: f64) ->
 
 /// The rows of a table, but for texts where the fonts are missing that come with POV-Ray's include files.
 fn rows(name: &str, heading: &str) -> Vec<Row> {
-    let mut rows = table::rows(name, heading);
-    if !std::path::Path::new("/usr/share/povray-3.7/include/timrom.ttf").exists() {
-        assert!(std::env::var_os("GLINT_REQUIRE_POVRAY").is_none(), "povray-includes is not installed");
-        let all = rows.len();
-        rows.retain(|row| !row.fields.iter().any(|field| field.contains("text{")));
-        println!("skipped: {} rows of texts in {name}, for want of POV-Ray's fonts", all - rows.len());
-    }
-    rows
+    let is_text = |row: &Row| row.fields.iter().any(|field| field.contains("text{"));
+    table::without_missing_fonts(table::rows(name, heading), name, is_text)
 }
 
 #[test]

@@ -118,14 +118,10 @@ fn distance(picture: Option<&image::RgbaImage>, row: &Row) -> i32 {
 #[test]
 fn old_syntax_is_read() {
     let folder = Folder::new("old-syntax");
-    let mut rows = rows("old-syntax-oracle.csv", "");
+    let rows = rows("old-syntax-oracle.csv", "");
     assert!(rows.len() > 700);
-    if !std::path::Path::new("/usr/share/povray-3.7/include/timrom.ttf").exists() {
-        assert!(std::env::var_os("GLINT_REQUIRE_POVRAY").is_none(), "povray-includes is not installed");
-        let all = rows.len();
-        rows.retain(|row| !row.fields[1].contains("timrom.ttf"));
-        println!("skipped: {} rows of texts, for want of POV-Ray's fonts", all - rows.len());
-    }
+    let is_text = |row: &Row| row.fields[1].contains("timrom.ttf");
+    let rows = table::without_missing_fonts(rows, "old-syntax-oracle.csv", is_text);
     let wrong = wrong_ones(rows.len(), |i| {
         let [what, snippet, header, result, pixels, ..] = &rows[i].fields[..] else { unreachable!() };
         if OLD.iter().any(|(known, _)| known == what) {

@@ -2,8 +2,7 @@
 
 use super::Vec3;
 
-/// A cone with four flat sides, whole to infinity: everything that a part of the picture, or of a light's
-/// surroundings, is seen through.
+/// A cone with four flat sides, whole to infinity: everything that is seen through a part of the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam {
     pub apex: Vec3,

@@ -1,5 +1,5 @@
-//! TIFF. Samples of 16 bits are reduced to 8, colours of palettes are not; alpha is taken to have been multiplied into the colours; colours
-//! without it count as opaque, as if the file said so.
+//! TIFF. Samples of 16 bits are reduced to 8, colours of palettes are not. Alpha is taken to have been multiplied
+//! into the colours; colours without it count as opaque, as if the file said so.
 
 use super::{Decoded, Profile, Samples, area};
 use image::{DynamicImage, ImageFormat};
