@@ -190,6 +190,9 @@ impl Geometry {
         if !matches!(self.search, Finite::List(_)) && 2 * spheres >= self.finite.len() {
             self.balls = self.finite.iter().map(|item| self.ball(item.solid).unwrap_or(Ball::NONE)).collect();
         }
+        if let Finite::Tree(tree) = &mut self.search {
+            if self.balls.is_empty() { tree.set_rows(&self.finite, 1) } else { tree.set_rows(&self.balls, 1) }
+        }
     }
 
     fn ball(&self, solid: Solid) -> Option<Ball> {

@@ -225,6 +225,7 @@ impl Collapse {
             children.clear();
             children.push(place);
             widen(&mut children, graft);
+            children.sort_by_key(|child| !child.is_leaf);
             for (slot, child) in children.iter().enumerate() {
                 let b = child.bounds();
                 let entry = if child.is_leaf {

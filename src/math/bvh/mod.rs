@@ -48,6 +48,16 @@ pub struct Bvh {
     scale: f64,
     /// Bound on the rounding of that for points near the tree, in its coordinates.
     near_pad: f32,
+    rows: Rows,
+}
+
+/// Where in memory the caller keeps what stands at each place. Hints to the processor are made of it, and nothing is
+/// read: pictures do not depend on it.
+#[derive(Clone, Copy, Debug)]
+struct Rows {
+    start: usize,
+    /// Bytes from one place to the next.
+    stride: usize,
 }
 
 /// Eight boxes with what is inside them. Unused places hold an empty box, which no ray enters.
@@ -56,6 +66,7 @@ pub struct Bvh {
 struct Node {
     /// Least x, y, z, then greatest x, y, z, of each child.
     bounds: [[f32; WIDTH]; 6],
+    /// Leaves come first.
     child: [u32; WIDTH],
 }
 
@@ -91,7 +102,9 @@ impl Bvh {
             let inner = node.child.iter().filter(|c| **c & LEAF == 0);
             todo.extend(inner.map(|&c| (c, waiting + children.saturating_sub(1))));
         }
-        Bvh { nodes, order, bounds, center, stack_size, scale, near_pad: Bvh::near_pad(center, scale) }
+        // What is always at hand.
+        let rows = Rows { start: nodes.as_ptr() as usize, stride: 0 };
+        Bvh { nodes, order, bounds, center, stack_size, scale, near_pad: Bvh::near_pad(center, scale), rows }
     }
 
     pub fn node_count(&self) -> usize {
@@ -119,6 +132,18 @@ impl Bvh {
     /// From now on primitives are called by their place in [`Bvh::order`].
     pub fn take_order(&mut self) -> Vec<u32> {
         std::mem::take(&mut self.order)
+    }
+
+    /// Tells where a search will look for what stands at each place, `per_place` items of it: they are fetched ahead.
+    /// The list must stay where it is; else there is nothing gained.
+    pub fn set_rows<T>(&mut self, rows: &[T], per_place: usize) {
+        self.rows = Rows { start: rows.as_ptr() as usize, stride: per_place * size_of::<T>() };
+    }
+
+    /// Where a leaf's first row may be.
+    #[inline(always)]
+    fn row(&self, leaf: u32) -> *const i8 {
+        self.rows.start.wrapping_add((leaf & FIRST_MASK) as usize * self.rows.stride) as *const i8
     }
 
     /// Calls `visit` with every primitive whose box contains `p`, until it returns true.

@@ -1,4 +1,4 @@
-use super::{Bvh, Quality};
+use super::{Bvh, LEAF, Quality, WIDTH, leaf_places};
 use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
 
 /// A small generator, so that the tests repeat.
@@ -179,4 +179,28 @@ fn an_empty_tree_and_a_single_box_work() {
     assert_eq!(visits, 1);
     assert!(one.any_at(Vec3::splat(1.5), |_| true));
     assert!(!one.any_at(Vec3::splat(0.5), |_| true));
+}
+
+/// Searches fetch what a node's first child holds: leaves come first, and their rows are where the caller said.
+#[test]
+fn rows_of_leaves_are_fetched_from_where_they_are() {
+    let mut random = Random::new(9);
+    let boxes: Vec<Aabb> = (0..300).map(|_| random.aabb(1.0, 0.1)).collect();
+    for (leaf, per_place) in [(1, 1), (3, 9)] {
+        let mut tree = Bvh::build(&boxes, Quality::Fast { leaf });
+        let rows = vec![[0f32; 3]; boxes.len() * per_place];
+        tree.set_rows(&rows, per_place);
+        let mut leaves = 0;
+        for node in &tree.nodes {
+            let used = (0..WIDTH).filter(|&i| node.bounds[0][i] <= node.bounds[3][i]);
+            let is_leaf: Vec<bool> = used.map(|i| node.child[i] & LEAF != 0).collect();
+            assert!(is_leaf.is_sorted_by(|a, b| a >= b), "{is_leaf:?}");
+            if is_leaf[0] {
+                let place = leaf_places(node.child[0]).start as usize;
+                assert_eq!(tree.row(node.child[0]), rows[place * per_place..].as_ptr().cast());
+                leaves += 1;
+            }
+        }
+        assert!(leaves > 20);
+    }
 }

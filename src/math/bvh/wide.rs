@@ -97,6 +97,23 @@ static IN_FRONT: [[u8; WIDTH]; 256] = {
     all
 };
 
+/// Lines of cache of a node.
+const LINES: usize = size_of::<Node>().div_ceil(LINE);
+const LINE: usize = 64;
+
+/// Tells the processor that so many lines of cache from there on are likely to be read soon. A sphereflake of 66,430
+/// spheres takes 0.95 of the time that it takes without.
+#[inline(always)]
+fn fetch<const COUNT: usize>(from: *const i8) {
+    for line in 0..COUNT {
+        // SAFETY: a hint reads nothing, whatever it points to.
+        #[allow(unsafe_code)]
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T0>(from.wrapping_add(line * LINE));
+        }
+    }
+}
+
 /// Children that wait to be opened, with the distances to their boxes. There is room for [`WIDTH`] more than
 /// can wait, as so many are written at once.
 struct Waiting<'a> {
@@ -126,6 +143,18 @@ impl Waiting<'_> {
             _mm256_storeu_si256(self.child.as_mut_ptr().add(self.top).cast(), child);
         }
         self.top += mask.count_ones() as usize;
+    }
+
+    /// Fetches the topmost child, which is likely to be opened next, if it is a node.
+    #[inline(always)]
+    fn fetch_next(&self, bvh: &Bvh) {
+        let Some(top) = self.top.checked_sub(1) else { return };
+        // SAFETY: `push` has written every place below `top`.
+        #[allow(unsafe_code)]
+        let child = unsafe { self.child[top].assume_init() };
+        if child & LEAF == 0 {
+            fetch::<LINES>(bvh.nodes.as_ptr().wrapping_add(child as usize).cast());
+        }
     }
 
     /// Takes the topmost child whose box is no further than `limit`.
@@ -180,6 +209,9 @@ fn walk_in<const SORTED: bool>(
     loop {
         let ray = widened(s);
         let mut entry = loop {
+            // Leaves are first among the children, and what is in them side by side.
+            let first = node.child[0];
+            fetch::<2>(if first & LEAF != 0 { bvh.row(first) } else { std::ptr::from_ref(node).cast() });
             let met = slabs(node, &ray, reach.start, reach.limit);
             let entry = if met.mask & met.mask.wrapping_sub(1) == 0 && met.mask != 0 {
                 node.child[met.mask.trailing_zeros() as usize]
@@ -199,6 +231,7 @@ fn walk_in<const SORTED: bool>(
             node = &bvh.nodes[entry as usize];
         };
         loop {
+            waiting.fetch_next(bvh);
             if !reach.visit_leaf(bvh, s, entry, &mut visit) {
                 return;
             }

@@ -73,12 +73,14 @@ impl MeshBuilder {
         if ![&normal_corners, &uv_corners].iter().any(|list| matches!(list, Indices::Vertices)) {
             vertex_numbers = Vec::new();
         }
+        let textures = textures(self.textures, order);
+        leaves.tell(&mut tree);
         MeshFaces {
             normal_corners,
             normals: self.normals,
             uv_corners,
             uvs: self.uvs,
-            textures: textures(self.textures, order),
+            textures,
             vertex_numbers,
             inside_vector: self.inside_vector.and_then(Vec3::try_normalize),
             kind: self.kind,

@@ -1,6 +1,7 @@
 //! The faces of a tree's leaf, side by side: a ray is tested with all of them at once.
 
 use super::wide as corner;
+use crate::math::bvh::Bvh;
 use crate::math::{Ray, Vec3};
 use crate::shape::triangle::Shear;
 use smallvec::SmallVec;
@@ -56,6 +57,11 @@ impl Leaves {
             }
         }
         Leaves { rows, lanes }
+    }
+
+    /// Tells the tree where the corners are, so that searches fetch them ahead.
+    pub fn tell(&self, tree: &mut Bvh) {
+        tree.set_rows(&self.rows, NUMBERS);
     }
 
     pub fn corners(&self, face: usize) -> [[f32; 3]; 3] {
