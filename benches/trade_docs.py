@@ -17,6 +17,7 @@ PARTS = {
     "collection": ["benches/trade_collection.py", "--budget", "8s", "--size", "160x120", "--svg", "docs/trade/collection.svg"],
     "antialias": ["benches/antialias.py", "--size", "128x96"],
     "errors": ["benches/promises.py", "errors"],
+    "others": ["benches/promises.py", "others"],
     "times": ["benches/promises.py", "times"],
     "povray": ["benches/trade_vs_povray.py", "--runs", "3"],
     "accel": ["benches/accel.py"],

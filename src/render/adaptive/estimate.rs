@@ -103,30 +103,31 @@ impl Survey {
 
     /// Looks at what has changed, and gives the expected errors of all pixels.
     pub fn look(&mut self, tally: &Tally, light: &Light, convergence: &Convergence) -> Vec<Expected> {
-        let changed = &self.changed;
-        self.seen
-            .par_iter_mut()
-            .zip(&tally.pixels)
-            .zip(changed)
-            .filter(|(_, changed)| **changed)
-            .for_each(|((seen, samples), _)| *seen = Seen::new(samples, light));
+        let (changed, width) = (&self.changed, self.width.max(1));
+        let rows = self.seen.par_chunks_mut(width).zip(tally.pixels.par_chunks(width));
+        rows.zip(changed.par_chunks(width)).for_each(|((seen, pixels), changed)| {
+            for ((seen, samples), _) in seen.iter_mut().zip(pixels).zip(changed).filter(|(_, c)| **c) {
+                *seen = Seen::new(samples, light);
+            }
+        });
         let view = View { seen: &self.seen, width: self.width };
         let gain = convergence.gain();
         let mut expected = vec![Expected::default(); self.seen.len()];
-        let width = self.width.max(1);
         let stale = near(changed, width);
         let rows = self.around.par_chunks_mut(width).zip(expected.par_chunks_mut(width)).enumerate();
         rows.for_each(|(y, (around, expected))| {
             let samples = &tally.pixels[y * width..][..width];
-            for x in 0..width {
-                if samples[x].count == 0 {
+            let stale = &stale[y * width..][..width];
+            let row = around.iter_mut().zip(expected).zip(samples.iter().zip(stale)).enumerate();
+            for (x, ((around, expected), (samples, stale))) in row {
+                if samples.count == 0 {
                     continue;
                 }
-                if stale[y * width + x] {
-                    around[x] = Around { lift: lift(tally, x, y), ..view.around(x, y) };
+                if *stale {
+                    *around = Around { lift: lift(tally, x, y), ..view.around(x, y) };
                 }
-                let plain = around[x].expected(&samples[x], light, &gain);
-                expected[x] = Expected { plain, local: plain, variance: plain };
+                let plain = around.expected(samples, light, &gain);
+                *expected = Expected { plain, local: plain, variance: plain };
             }
         });
         self.changed.fill(false);

@@ -2,7 +2,7 @@
 //!
 //! | step | rule |
 //! |------|------|
-//! | base | every pixel gets one sample, or a few; where that may be too many, every fourth (`gaps`) |
+//! | base | every pixel gets one sample, or a few; where that may be too many, every fourth (`gaps`) or sixteenth (`wide`) |
 //! | survey | what error is each pixel's mean expected to have (`estimate`, `calibration`)? |
 //! | plan | how far do samples have to be doubled, and where, to reach the target or to spend nearly as much again (`plan`)? |
 //! | round | every pixel of the plan is doubled once; so are a few others, to hold expectations to account |
@@ -27,6 +27,7 @@ mod plan;
 mod sequence;
 mod state;
 mod tally;
+mod wide;
 
 pub use sequence::{Sequence, mix};
 

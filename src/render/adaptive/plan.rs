@@ -8,7 +8,7 @@
 use super::calibration::{BINS, Calibration, bin};
 use super::convergence::{Convergence, LEVELS, following, level, next_level, step};
 use super::estimate::Expected;
-use super::gaps::Gaps;
+use super::gaps::{Gaps, KINDS};
 use super::sequence::mix;
 use super::tally::{Samples, Tally};
 
@@ -21,17 +21,22 @@ const AIM: f64 = 0.97;
 /// The share of the samples that there are which goes to pixels picked by chance, in each round.
 const AUDIT_SHARE: f64 = 0.03;
 /// The same while there are gaps,
-const GAP_AUDIT_SHARE: f64 = 0.1;
+const GAP_AUDIT_SHARE: f64 = 0.06;
 /// but so many at least.
-const GAP_AUDIT_LEAST: f64 = 1000.0;
+const GAP_AUDITS_LEAST: f64 = 500.0;
 /// The first sample of a gap takes at least this share of its error away.
 const LEAST_FIRST_GAIN: f32 = 0.3;
 /// A class is audited until so many members are measured, whatever they showed,
 const AUDIT_LEAST: f64 = 200.0;
+/// one of gaps until so many are,
+const GAP_AUDIT_LEAST: f64 = 80.0;
 /// and until the uncertainty of its error is below this share of the picture's.
 const AUDIT_PRECISION: f64 = 0.1;
 /// The most samples that a pixel can be given.
 const MAX_COUNT: u32 = 1 << 20;
+
+/// Levels of pixels, and behind them kinds of gaps.
+const CLASSES: usize = LEVELS + KINDS;
 
 /// A pixel whose samples are to be brought to a number.
 #[derive(Clone, Copy, Debug)]
@@ -111,14 +116,14 @@ impl Planner<'_> {
     fn class(&self, i: usize) -> (usize, usize) {
         let e = &self.expected[i];
         match self.tally.pixels[i].count {
-            0 => (LEVELS, bin(e.plain)),
+            0 => (LEVELS + usize::from(self.gaps.is_wide(i)), bin(e.plain)),
             count => (level(count), bin(e.local)),
         }
     }
 
     /// Adds pixels picked by chance from classes about which too little is known.
     fn audit(&self, rest: &[usize], tasks: &mut Vec<Task>) {
-        let mut members = [[0f64; BINS]; LEVELS + 1];
+        let mut members = [[0f64; BINS]; CLASSES];
         for &i in rest {
             let (level, bin) = self.class(i);
             members[level][bin] += 1.0;
@@ -136,26 +141,28 @@ impl Planner<'_> {
     }
 
     /// How likely a member of each class is picked.
-    fn chances(&self, members: &[[f64; BINS]; LEVELS + 1]) -> [[f64; BINS]; LEVELS + 1] {
-        let mut chances = [[0f64; BINS]; LEVELS + 1];
+    fn chances(&self, members: &[[f64; BINS]; CLASSES]) -> [[f64; BINS]; CLASSES] {
+        let mut chances = [[0f64; BINS]; CLASSES];
         let mut cost = 0.0;
-        for l in 0..=LEVELS {
+        for l in 0..CLASSES {
             for b in 0..BINS {
                 let n = members[l][b];
                 if n == 0.0 {
                     continue;
                 }
-                let is_gap = l == LEVELS;
-                let class = if is_gap { self.gaps.class(b) } else { self.calibration.class(l, b) };
+                let is_gap = l >= LEVELS;
+                let class =
+                    if is_gap { self.gaps.class(l - LEVELS, b) } else { self.calibration.class(l, b) };
                 let uncertain = n * class.deviation() / (AUDIT_PRECISION * self.total.max(f64::MIN_POSITIVE));
-                let wanted = uncertain.powi(2).max(AUDIT_LEAST.min(n / 8.0)) - class.count();
+                let least = if is_gap { GAP_AUDIT_LEAST } else { AUDIT_LEAST };
+                let wanted = uncertain.powi(2).max(least.min(n / 8.0)) - class.count();
                 chances[l][b] = (wanted / n).clamp(0.0, 0.5);
                 cost += chances[l][b] * n * if is_gap { 1.0 } else { step(l) };
             }
         }
         let samples = self.samples as f64;
-        let allowed = match members[LEVELS].iter().any(|&n| n > 0.0) {
-            true => (GAP_AUDIT_SHARE * samples).max(GAP_AUDIT_LEAST),
+        let allowed = match members[LEVELS..].iter().flatten().any(|&n| n > 0.0) {
+            true => (GAP_AUDIT_SHARE * samples).max(GAP_AUDITS_LEAST),
             false => AUDIT_SHARE * samples,
         };
         let scale = (allowed / cost.max(1.0)).min(1.0);

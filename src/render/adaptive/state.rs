@@ -4,13 +4,14 @@ use super::calibration::{Calibration, Measured};
 use super::coarse::stand_ins;
 use super::convergence::{Convergence, level};
 use super::estimate::{Expected, Survey};
-use super::gaps::{Gaps, SPACING};
+use super::gaps::Gaps;
 use super::lift::{lift, lifted};
 use super::locality::{Locality, Shown};
 use super::order;
 use super::plan::{Planner, Task};
 use super::sequence::{Sequence, mix};
 use super::tally::{Samples, Tally};
+use super::wide;
 use super::{Adaptive, Clock, Ended};
 use crate::picture::light::Light;
 use crate::picture::{Picture, Pixel};
@@ -105,8 +106,14 @@ impl<'a, S: Sampler + Send> State<'a, S> {
 
     /// Renders; why it ended, and the error that is expected of the picture.
     pub fn run(&mut self) -> (Ended, Option<f64>) {
-        let base = self.base_tasks();
-        let ended = self.round(&base);
+        let mut base = self.base_tasks();
+        let mut ended = self.round(&base);
+        if ended.is_none() && self.settings.has_gaps() {
+            let aim = self.settings.target.map_or(0.0, |t| 3.0 * t * t) as f32;
+            let more = self.gaps.begin(&self.tally, &self.settings.light, aim);
+            ended = self.round(&more);
+            base.extend(more);
+        }
         let is_missing = |pixel: u32| self.tally.pixels[pixel as usize].count == 0;
         if base.iter().any(|task| is_missing(task.pixel)) {
             let ended = ended.unwrap_or(Ended::Time);
@@ -167,7 +174,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let pixels = if self.settings.is_limited() {
             order::gradual(width, height)
         } else if self.settings.has_gaps() {
-            order::spaced(width, height, SPACING)
+            order::spaced(width, height, wide::SPACING)
         } else {
             self.order.clone()
         };
@@ -180,14 +187,11 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         self.convergence = self.calibration.convergence();
         if self.settings.has_gaps() {
             self.gaps.fill(&mut self.tally, &self.settings.light, self.survey.changed());
-            if self.rounds == 0 {
-                self.gaps.learn_from_flat_places(self.tally.width());
-            }
         }
         let tally = &self.tally;
         let (light, convergence, survey) = (&self.settings.light, &self.convergence, &mut self.survey);
         let mut expected = self.pool.install(|| survey.look(tally, light, convergence));
-        if self.rounds == 0 {
+        if self.rounds == 0 && !self.settings.has_gaps() {
             for surprise in self.survey.surprises() {
                 self.calibration.record_surprise(self.convergence.error_from_jump(0, surprise));
             }
@@ -205,27 +209,9 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             }
         }
         if self.settings.has_gaps() {
-            self.expect_of_gaps(&mut expected);
+            self.gaps.expect(&self.tally, &mut expected);
         }
         expected
-    }
-
-    /// What is expected of pixels without samples.
-    fn expect_of_gaps(&self, expected: &mut [Expected]) {
-        let factors = self.gaps.factors();
-        let size = (self.tally.width(), self.tally.height());
-        for y in 0..size.1 {
-            for x in 0..size.0 {
-                let i = y * size.0 + x;
-                if self.tally.pixels[i].count == 0 {
-                    let plain = self.gaps.error(size.0, x, y);
-                    // What a sample would be off by.
-                    let corners = Gaps::corners(size, x, y).map(|k| expected[k].variance);
-                    let local = 0.25 * corners.iter().sum::<f32>();
-                    expected[i] = Expected { plain, local, variance: factors.corrected(0, plain) };
-                }
-            }
-        }
     }
 
     fn plan(&self, expected: &[Expected], total: f64) -> Vec<Task> {
@@ -286,7 +272,8 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         if old.count == 0 && task.plain > 0.0 {
             let light = &self.settings.light;
             let jump = squared_distance(light, &old.pixel(), &found.samples.pixel());
-            self.gaps.record(task.plain, jump, task.local);
+            let kind = usize::from(self.gaps.is_wide(task.pixel as usize));
+            self.gaps.record(kind, task.plain, jump, task.local);
         }
         if old.count > 0 {
             let shown = lifted(&old.pixel(), self.survey.around[task.pixel as usize].lift);
