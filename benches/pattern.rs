@@ -63,7 +63,7 @@ fn noises(wanted: &dyn Fn(&str) -> bool) {
         if wanted(&name) {
             let (mut a, mut b) = ([0.0; 10], [0.0; 10]);
             let plain = |p| {
-                scalar::octaves(p, 1.0, 2.1, generator, &mut a);
+                scalar::octaves(p, [1.0, 2.1], generator, &mut a);
                 a.iter().sum()
             };
             let vector = |p| {

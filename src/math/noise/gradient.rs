@@ -1,6 +1,7 @@
 //! Gradient noise: unit gradients at the corners of a unit cell, faded together.
 
-use super::{fade, split};
+use super::cell::{Form, blended};
+use super::split;
 use crate::math::Vec3;
 use crate::math::random::Lcg;
 use std::sync::LazyLock;
@@ -11,8 +12,8 @@ const MASK: u32 = ENTRIES as u32 - 1;
 
 struct Tables {
     index: [u16; ENTRIES],
-    /// Each with a 0 after it, which makes four doubles of it.
-    gradients: [[f64; 4]; ENTRIES],
+    /// As forms without an offset.
+    gradients: [Form; ENTRIES],
 }
 
 static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
@@ -22,13 +23,13 @@ static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
 });
 
 /// A random unit vector: a point of the unit ball, pushed out to its surface.
-fn direction(random: &mut Lcg) -> [f64; 4] {
+fn direction(random: &mut Lcg) -> Form {
     loop {
         let v: [f64; 3] = std::array::from_fn(|_| (f64::from(random.draw() % 4096) - 2048.0) / 2048.0);
         let square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         if (1e-5..=1.0).contains(&square) {
             let [x, y, z] = v.map(|c| c / square.sqrt());
-            return [x, y, z, 0.0];
+            return [0.0, x, y, z];
         }
     }
 }
@@ -47,50 +48,30 @@ fn shuffled(random: &mut Lcg) -> [u16; ENTRIES] {
 /// noise's definition.
 pub(super) const SHIFT: f64 = 10_000_000.023157213;
 
-/// The linear forms at the corners of the cell around a point: no offset, and a gradient. Bit 0 of the index
-/// goes with z, bit 1 with y, bit 2 with x.
-pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
-    let tables: &Tables = &TABLES;
-    let [bx, by, bz] = p.to_array().map(|v| split(v + SHIFT).0);
-    let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);
-    std::array::from_fn(|corner| {
-        let [dx, dy, dz] = [2, 1, 0].map(|bit| (corner as u32 >> bit) & 1);
-        let column = index(index(bx.wrapping_add(dx)).wrapping_add((by & MASK) + dy));
-        let [x, y, z, _] = tables.gradients[(column.wrapping_add((bz & MASK) + dz) & MASK) as usize];
-        [0.0, x, y, z]
-    })
-}
-
-/// The gradients at the corners of a cell: of the lower corners by z, then of the upper ones. Bit 0 of the
-/// index goes with x, bit 1 with y.
+/// The forms at the corners of a cell, given by the low bits of its coordinates.
 #[inline(always)]
-pub(super) fn corners([bx, by, bz]: [u32; 3]) -> ([&'static [f64; 4]; 4], [&'static [f64; 4]; 4]) {
+pub(super) fn corners([bx, by, bz]: [u32; 3]) -> [&'static Form; 8] {
     let tables: &'static Tables = &TABLES;
     let index = |i: u32| u32::from(tables.index[(i & MASK) as usize]);
     let (qx, qx1) = (index(bx), index(bx.wrapping_add(1)));
     let (by, bz) = (by & MASK, bz & MASK);
-    let columns = [index(qx + by), index(qx1 + by), index(qx + by + 1), index(qx1 + by + 1)];
-    let gradient = |i: u32| &tables.gradients[(i & MASK) as usize];
-    (columns.map(|c| gradient(c + bz)), columns.map(|c| gradient(c + bz + 1)))
+    let form = |i: u32| &tables.gradients[(i & MASK) as usize];
+    let (a, b) = (index(qx + by) + bz, index(qx + by + 1) + bz);
+    let (c, d) = (index(qx1 + by) + bz, index(qx1 + by + 1) + bz);
+    [form(a), form(a + 1), form(b), form(b + 1), form(c), form(c + 1), form(d), form(d + 1)]
 }
 
 /// About -1 ..= 1.
 #[inline(always)]
 pub(super) fn sum(p: Vec3) -> f64 {
     let ((bx, fx), (by, fy), (bz, fz)) = (split(p.x + SHIFT), split(p.y + SHIFT), split(p.z + SHIFT));
-    let (low, high) = corners([bx, by, bz]);
-    let dot = |g: &[f64; 4], column: usize, dz: f64| {
-        let (dx, dy) = ((column & 1) as f64, (column >> 1) as f64);
-        g[0] * (fx - dx) + g[1] * (fy - dy) + g[2] * (fz - dz)
-    };
-    let (sx, sy, sz) = (fade(fx), fade(fy), fade(fz));
-    let lerp = |t: f64, a: f64, b: f64| a + t * (b - a);
-    let row = |corners: &[&[f64; 4]; 4], first: usize, dz: f64| {
-        lerp(sx, dot(corners[first], first, dz), dot(corners[first + 1], first + 1, dz))
-    };
-    let low = lerp(sy, row(&low, 0, 0.0), row(&low, 2, 0.0));
-    let high = lerp(sy, row(&high, 0, 1.0), row(&high, 2, 1.0));
-    lerp(sz, low, high)
+    let corners = corners([bx, by, bz]);
+    blended(|corner| *corners[corner], [fx, fy, fz])
+}
+
+/// The linear forms at the corners of the cell around a point.
+pub(super) fn forms(p: Vec3) -> [Form; 8] {
+    corners(p.to_array().map(|v| split(v + SHIFT).0)).map(|form| *form)
 }
 
 #[cfg(test)]
@@ -102,7 +83,7 @@ mod tests {
         assert_eq!(TABLES.index[..4], [0, 1, 386, 3]);
         assert!(!TABLES.index.contains(&1017), "the lost number");
         let first = [0.6044250694264234, 0.7052602895441197, 0.3705108088045583];
-        for (got, want) in TABLES.gradients[0].iter().zip(first) {
+        for (got, want) in TABLES.gradients[0][1..].iter().zip(first) {
             assert!((got - want).abs() < 1e-15);
         }
     }

@@ -1,7 +1,8 @@
 //! The lattice sum: at each corner of a unit cell an offset and a gradient chosen by a hash, faded together.
 
+use super::cell::{Form, blended};
 use super::coefficients::COEFFICIENTS;
-use super::{fade, split};
+use super::split;
 use crate::math::Vec3;
 use crate::math::random::Lcg;
 
@@ -60,13 +61,6 @@ pub fn hash3(a: i64, b: i64, c: i64) -> usize {
     hash(hash2(a, b) as u32 ^ (c as u32 & 4095)) as usize
 }
 
-/// A unit cell of the lattice with a point in it.
-struct Cell {
-    places: [u8; 8],
-    /// The point relative to the lowest corner.
-    f: [f64; 3],
-}
-
 /// Places of the coefficients of a cell's corners; bit 0 of the index goes with z, bit 1 with y, bit 2 with x.
 #[inline(always)]
 pub(super) fn places([ix, iy, iz]: [u32; 3]) -> [u8; 8] {
@@ -78,69 +72,43 @@ pub(super) fn places([ix, iy, iz]: [u32; 3]) -> [u8; 8] {
     // SAFETY: the same.
     #[allow(unsafe_code)]
     let low = |i: u32| unsafe { *LOW_HASH.get_unchecked(i as usize) };
-    let (x, y, z) = (ends(ix), ends(iy), ends(iz));
-    let (h0, h1) = (hash(x[0]), hash(x[1]));
-    let rows = [hash(h0 ^ y[0]), hash(h0 ^ y[1]), hash(h1 ^ y[0]), hash(h1 ^ y[1])];
-    let mut places = [0; 8];
-    // A closure handed on would not be compiled into vector code.
-    for (pair, row) in places.as_chunks_mut::<2>().0.iter_mut().zip(rows) {
-        *pair = [low(row ^ z[0]), low(row ^ z[1])];
-    }
-    places
+    let ([x0, x1], [y0, y1], [z0, z1]) = (ends(ix), ends(iy), ends(iz));
+    let (h0, h1) = (hash(x0), hash(x1));
+    let (a, b, c, d) = (hash(h0 ^ y0), hash(h0 ^ y1), hash(h1 ^ y0), hash(h1 ^ y1));
+    [low(a ^ z0), low(a ^ z1), low(b ^ z0), low(b ^ z1), low(c ^ z0), low(c ^ z1), low(d ^ z0), low(d ^ z1)]
 }
 
-impl Cell {
-    #[inline(always)]
-    fn at(p: Vec3) -> Self {
-        let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
-        Self { places: places([ix, iy, iz]), f: [fx, fy, fz] }
-    }
+/// The form of component `o` of the noise at the corner with a place.
+#[inline(always)]
+fn form(place: u8, o: usize) -> Form {
+    let at = usize::from(place) + 4 * o;
+    [0.5 * COEFFICIENTS[at], COEFFICIENTS[at + 1], COEFFICIENTS[at + 2], COEFFICIENTS[at + 3]]
+}
 
-    /// Sum over the corners of `N` consecutive components of the noise: lower and upper corners by z apart.
-    #[inline(always)]
-    fn sum<const N: usize>(&self) -> [f64; N] {
-        let [fx, fy, fz] = self.f;
-        let (sx, sy, sz) = (fade(fx), fade(fy), fade(fz));
-        let (x, y, z) = ([fx, fx - 1.0], [fy, fy - 1.0], [fz, fz - 1.0]);
-        let (wx, wy, wz) = ([1.0 - sx, sx], [1.0 - sy, sy], [1.0 - sz, sz]);
-        let mut sums = [[[0.0; 4]; 2]; N];
-        for c in 0..8 {
-            let (i, j, k) = (c >> 2, (c >> 1) & 1, c & 1);
-            let w = wx[i] * wy[j] * wz[k];
-            let factors = [w * 0.5, w * x[i], w * y[j], w * z[k]];
-            let place = usize::from(self.places[c]);
-            for (o, sum) in sums.iter_mut().enumerate() {
-                for (t, s) in sum[k].iter_mut().enumerate() {
-                    *s += factors[t] * COEFFICIENTS[place + 4 * o + t];
-                }
-            }
-        }
-        sums.map(|[low, high]| {
-            let s: [f64; 4] = std::array::from_fn(|t| low[t] + high[t]);
-            (s[0] + s[2]) + (s[1] + s[3])
-        })
-    }
+/// Component `o` at a place in the cell whose corners have these places.
+#[inline(always)]
+fn component(places: &[u8; 8], f: [f64; 3], o: usize) -> f64 {
+    blended(|corner| form(places[corner], o), f)
 }
 
 /// The first component alone, about -1 ..= 1.
 #[inline(always)]
 pub(super) fn sum(p: Vec3) -> f64 {
-    Cell::at(p).sum::<1>()[0]
+    let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
+    component(&places([ix, iy, iz]), [fx, fy, fz], 0)
 }
 
 /// Three components of noise at once, each about -1 ..= 1.
 #[inline(always)]
 pub(super) fn vector_noise(p: Vec3) -> Vec3 {
-    Vec3::from_array(Cell::at(p).sum::<3>())
+    let ((ix, fx), (iy, fy), (iz, fz)) = (split(p.x), split(p.y), split(p.z));
+    let (places, f) = (places([ix, iy, iz]), [fx, fy, fz]);
+    Vec3::new(component(&places, f, 0), component(&places, f, 1), component(&places, f, 2))
 }
 
-/// The linear forms at the corners of the cell around a point: offset and gradient. Bit 0 of the index goes
-/// with z, bit 1 with y, bit 2 with x.
-pub(super) fn forms(p: Vec3) -> [[f64; 4]; 8] {
-    Cell::at(p).places.map(|place| {
-        let [offset, x, y, z] = std::array::from_fn(|i| COEFFICIENTS[usize::from(place) + i]);
-        [0.5 * offset, x, y, z]
-    })
+/// The linear forms at the corners of the cell around a point: offset and gradient.
+pub(super) fn forms(p: Vec3) -> [Form; 8] {
+    places(p.to_array().map(|v| split(v).0)).map(|place| form(place, 0))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //!
 //! Reference: K. Perlin, "An Image Synthesizer", SIGGRAPH 1985.
 
+mod cell;
 mod coefficients;
 mod enclosure;
 mod gradient;
@@ -41,15 +42,16 @@ impl NoiseGenerator {
     }
 }
 
-/// Calls the function of the name in `wide` where the processor has what it needs, else that in `scalar`. The point goes
-/// there as three numbers: one that was just written to memory in parts would be waited for when it is read as a whole.
+/// Calls the function of the name in `wide` with the cells that the thread keeps, where the processor has what it needs,
+/// else that in `scalar`. The point goes there as three numbers: one that was just written to memory in parts would be
+/// waited for when it is read as a whole.
 macro_rules! fastest {
-    ($function:ident($p:ident $(, $argument:expr)*)) => {{
+    ($cells:ident, $function:ident($p:ident $(, $argument:expr)*)) => {{
         #[cfg(target_arch = "x86_64")]
         if wide::is_available() {
             // SAFETY: the processor has just been seen to have what `wide` is compiled for.
             #[allow(unsafe_code)]
-            return unsafe { wide::$function($p.x, $p.y, $p.z $(, $argument)*) };
+            return wide::$cells.with_borrow_mut(|cells| unsafe { wide::$function(cells, $p.x, $p.y, $p.z $(, $argument)*) });
         }
         scalar::$function($p $(, $argument)*)
     }};
@@ -58,26 +60,26 @@ macro_rules! fastest {
 /// Scalar noise at a point, 0 ..= 1.
 #[inline]
 pub fn noise(p: Vec3, generator: NoiseGenerator) -> f64 {
-    fastest!(noise(p, generator))
+    fastest!(SCALAR, noise(p, generator))
 }
 
 /// Three components of noise at once, each about -1 ..= 1. The same for all generators.
 #[inline]
 pub fn vector_noise(p: Vec3) -> Vec3 {
-    fastest!(vector_noise(p))
+    fastest!(VECTOR, vector_noise(p))
 }
 
 /// Scalar noise at `p` scaled by `first`, and by `lambda` more each time.
 #[inline]
 pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
-    fastest!(octaves(p, first, lambda, generator, out))
+    fastest!(SCALAR, octaves(p, [first, lambda], generator, out))
 }
 
 /// The sum of `count` octaves, at least one, of vector noise or of its absolute values: each at `p` scaled by `lambda`
 /// more, with `omega` times the weight of the one before.
 #[inline]
 pub fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
-    fastest!(vector_octaves(p, [lambda, omega], count, absolute))
+    fastest!(VECTOR, vector_octaves(p, [lambda, omega], count, absolute))
 }
 
 impl NoiseGenerator {

@@ -16,7 +16,7 @@ pub fn vector_noise(p: Vec3) -> Vec3 {
 }
 
 /// See [`octaves`](super::octaves).
-pub fn octaves(p: Vec3, first: f64, lambda: f64, generator: NoiseGenerator, out: &mut [f64]) {
+pub fn octaves(p: Vec3, [first, lambda]: [f64; 2], generator: NoiseGenerator, out: &mut [f64]) {
     let mut scale = first;
     for value in out {
         *value = noise(scale * p, generator);
