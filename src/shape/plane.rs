@@ -8,7 +8,7 @@
 //! Numerical care: a ray counts as parallel only when rounding alone could have tilted it. The half space
 //! is closed, and so is the one that `inverse` gives.
 
-use super::{COINCIDENT, Chord, Crossing, Shape, Span, rounding};
+use super::{COINCIDENT, Chord, Crossing, Place, Shape, Span, rounding};
 use crate::math::{Aabb, EPSILON, Range, Ray, Vec3};
 use std::sync::Arc;
 
@@ -33,6 +33,19 @@ impl Plane {
         Some(Self { normal: normal.try_normalize()?, distance })
     }
 
+    /// The one that [`Shape::half_space`] tells of.
+    pub(crate) fn of_half_space((normal, distance): (Vec3, f64)) -> Self {
+        Self { normal, distance }
+    }
+
+    /// How far along the ray it is; no number inside any range if the ray runs along it.
+    #[inline]
+    pub(crate) fn along(&self, ray: &Ray) -> f64 {
+        let speed = self.normal.dot(ray.dir);
+        if speed.abs() > PARALLEL { -self.height(ray.origin) / speed } else { f64::NAN }
+    }
+
+    #[inline]
     fn height(&self, p: Vec3) -> f64 {
         self.normal.dot(p) - self.distance
     }
@@ -52,9 +65,8 @@ impl Shape for Plane {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let speed = self.normal.dot(ray.dir);
-        let t = -self.height(ray.origin) / speed;
-        (speed.abs() > PARALLEL && range.contains(t)).then(|| Crossing::new(t))
+        let t = self.along(ray);
+        range.contains(t).then(|| Crossing::new(t))
     }
 
     fn chord(&self, ray: &Ray, _range: Range) -> Option<Chord> {
@@ -83,6 +95,11 @@ impl Shape for Plane {
     fn locate(&self, ray: &Ray, crossing: &Crossing) -> (Vec3, f64) {
         let p = ray.at(crossing.t);
         (p - self.height(p) * self.normal, rounding(self.scale(p)))
+    }
+
+    fn at(&self, ray: &Ray, crossing: &Crossing) -> Place {
+        let (point, error) = self.locate(ray, crossing);
+        Place { point, error, normal: self.normal, face: None }
     }
 
     fn half_space(&self) -> Option<(Vec3, f64)> {

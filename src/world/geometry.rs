@@ -9,7 +9,7 @@ use super::probe::Probe;
 use super::scratch::{Lists, with_lists};
 use super::sight::Sight;
 use crate::math::{Aabb, Accelerator, Range, Ray, Vec3};
-use crate::shape::{Chord, Crossing, Shape};
+use crate::shape::{Chord, Crossing, Plane, Shape};
 use std::sync::Arc;
 
 /// No surface, no cutaway: an index that is never given out.
@@ -91,6 +91,8 @@ pub(super) struct Geometry {
     pub search: Finite,
     pub finite: Vec<Item>,
     pub infinite: Vec<Item>,
+    /// What the infinite roots are that are planes standing as they were made.
+    pub planes: Vec<Option<Plane>>,
     /// The finite roots by place once more, if most of them are spheres: a ray that misses one touches
     /// nothing else of it.
     pub balls: Vec<Ball>,
@@ -154,6 +156,14 @@ impl Nearest {
         }
     }
 
+    /// Takes the crossing of a root that is a plane, if it is nearer; the new end of the range.
+    #[inline]
+    fn take_plane(&mut self, item: &Item, plane: &Plane, ray: &Ray, range: Range) -> f64 {
+        let t = plane.along(ray);
+        let limit = if item.root < self.root { range.max.next_up() } else { range.max };
+        if Range::new(range.min, limit).contains(t) { self.take(item, NONE, t, range.max) } else { range.max }
+    }
+
     /// Takes the crossing of the ball at a place, at a distance of at most `max`, if it counts; the new end of the
     /// range. Its distance in the shape's units is not worked out yet.
     #[inline]
@@ -178,6 +188,7 @@ impl Geometry {
             let item = Item::new(i as u32, root);
             if b.is_finite() { self.finite.push(item) } else { self.infinite.push(item) }
         }
+        self.planes = self.infinite.iter().map(|i| self.half_space(i).map(Plane::of_half_space)).collect();
         let boxes: Vec<Aabb> = self.finite.iter().map(|item| self.root_bounds[item.root as usize]).collect();
         let slow = |i: usize| self.finite[i].is_slow();
         self.search = Finite::new(accel, &boxes, slow);
@@ -243,8 +254,14 @@ impl Geometry {
     ) -> Option<Found> {
         let mut best = Nearest::of(class);
         let mut max = range.max;
-        for item in &self.infinite {
-            max = self.nearer(&mut best, item, ray, Range::new(range.min, max));
+        for (item, plane) in self.infinite.iter().zip(&self.planes) {
+            max = match plane {
+                Some(plane) => best.take_plane(item, plane, ray, Range::new(range.min, max)),
+                None => self.nearer(&mut best, item, ray, Range::new(range.min, max)),
+            };
+        }
+        if self.finite.is_empty() {
+            return best.found;
         }
         let range = Range::new(range.min, max);
         if self.balls.is_empty() {

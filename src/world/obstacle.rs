@@ -6,6 +6,7 @@ use super::between::Between;
 use super::geometry::{Found, Geometry, Item, NONE, Nearest, Solid};
 use super::hit::{Obstacle, RayClass};
 use crate::math::{AnyHit, Range, Ray, Vec3};
+use crate::shape::Plane;
 
 impl Geometry {
     /// A plane's normal and distance in the world, if the item is one and stands as it was made.
@@ -18,7 +19,7 @@ impl Geometry {
     /// [`Geometry::obstacle`] for a ray in a shaft.
     pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Found> {
         let mut nobody = NONE;
-        self.obstacle_among(between, &between.infinite, ray, range, &mut nobody)
+        self.obstacle_among(between, (&between.infinite, &[]), ray, range, &mut nobody)
     }
 
     /// What stands in the way of light inside `range`. `last` remembers which opaque finite object did by
@@ -51,7 +52,7 @@ impl Geometry {
         if *last != NONE && self.is_met_at(*last, ray, range) {
             return Obstacle::Opaque;
         }
-        self.obstacle_among(finite, &self.infinite, ray, range, last)
+        self.obstacle_among(finite, (&self.infinite, &self.planes), ray, range, last)
     }
 
     /// Whether the finite object at a place is met.
@@ -65,12 +66,14 @@ impl Geometry {
         }
     }
 
+    /// `planes` says which of the infinite objects are planes, as far as that is known.
+    ///
     /// Leaves the finite object `last` out, which has been asked, and notes another one there that stops the ray.
     #[inline(always)]
     fn obstacle_among(
         &self,
         finite: &impl AnyHit,
-        infinite: &[Item],
+        (infinite, planes): (&[Item], &[Option<Plane>]),
         ray: &Ray,
         range: Range,
         last: &mut u32,
@@ -91,8 +94,11 @@ impl Geometry {
             }
             stopped
         };
-        let stopped = infinite.iter().any(|item| stops(item, NONE, None))
-            || if self.balls.is_empty() {
+        let met = |i: usize| planes.get(i)?.as_ref().map(|plane| range.contains(plane.along(ray)));
+        let stopped = infinite.iter().enumerate().any(|(i, item)| stops(item, NONE, met(i)))
+            || if self.finite.is_empty() {
+                false
+            } else if self.balls.is_empty() {
                 finite.any(ray, range, |place| stops(&self.finite[place as usize], place, None))
             } else {
                 finite.any(ray, range, |place| {

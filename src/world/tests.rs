@@ -266,6 +266,35 @@ fn a_union_falls_apart_and_flags_reach_its_children() {
     assert_eq!(flat.geometry.nearest(&down, Range::FORWARD, RayClass::Shadow).map(|f| f.t), Some(6.0));
 }
 
+/// Planes are looked at without asking their shapes: the answers are the shapes' own.
+#[test]
+fn planes_are_met_where_their_shapes_say() {
+    let planes = [(Vec3::Y, -1.0), (Vec3::Y, -1.0), (Vec3::new(1.0, 0.2, 0.0), -3.0), (Vec3::Z, 6.0)];
+    let plane = |(n, d)| Arc::new(shape(Plane::new(n, d).expect("a plane")));
+    let mut objects: Vec<Arc<Object>> = planes.into_iter().map(plane).collect();
+    objects.push(Arc::new(inverse(&objects[3])));
+    let flat = Flattened::new(&objects, Accel::ByScene);
+    let g = &flat.geometry;
+    assert_eq!(g.planes.iter().flatten().count(), 5);
+    let steps = [-2.0, -1.0, 0.0, 0.3];
+    let mut hits = 0;
+    for (i, x) in (0..4).flat_map(|i| steps.map(|x| (i, x))) {
+        let from = Vec3::new(0.1, [-1.0, 0.0, 6.0, -4.0][i], 0.4 * x);
+        for (y, z) in steps.into_iter().flat_map(|y| steps.map(|z| (y, z))) {
+            let Some(way) = Vec3::new(x, y, z).try_normalize() else { continue };
+            let (ray, range) = (Ray::new(from, way), Range::new(0.0, 20.0));
+            let each = (0..5).filter_map(|leaf| g.nearest_of(Solid::Leaf(leaf), &ray, range));
+            let nearest = each.min_by(|a, b| (a.t, a.leaf).partial_cmp(&(b.t, b.leaf)).expect("numbers"));
+            let found = g.nearest(&ray, range, RayClass::Image);
+            assert_eq!(found.map(|f| (f.t, f.leaf)), nearest.map(|f| (f.t, f.leaf)), "{ray:?}");
+            let stopped = matches!(g.obstacle(&ray, range, &mut { NONE }), Obstacle::Opaque);
+            assert_eq!(stopped, nearest.is_some(), "{ray:?}");
+            hits += usize::from(stopped);
+        }
+    }
+    assert!(hits > 100, "{hits}");
+}
+
 #[test]
 fn of_coincident_objects_the_first_in_the_scene_shows() {
     let ball = |x: f64| shape(Sphere::new(Vec3::new(x, 0.0, 0.0), 1.0));
