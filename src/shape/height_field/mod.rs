@@ -16,15 +16,17 @@
 //! Numerical care: cells share their corners to the bit and rays are tested by the signs of edge functions,
 //! so none slips between two cells.
 //!
-//! A tree of the least and greatest heights in blocks of 2, 4, 8 … cells leads a ray to the cells that it
-//! can meet, nearest first.
+//! A tree of the least and greatest heights in blocks of 4, 16, 64 … cells a side leads a ray to the cells that
+//! it can meet, nearest first.
 
 mod blocks;
+#[cfg(target_arch = "x86_64")]
+mod wide;
 
 use super::triangle::Shear;
 use super::{Crossing, Shape, rounding};
 use crate::math::{Aabb, Range, Ray, Transform, Vec2, Vec3};
-use blocks::Blocks;
+use blocks::{Block, Blocks, CellRows, Parts, Passed, ROW, Walk};
 use glam::DMat3;
 use std::sync::Arc;
 
@@ -51,6 +53,7 @@ pub struct HeightField {
 pub(super) struct Grid {
     width: usize,
     height: usize,
+    /// Row by row, and a few more: whole blocks of cells are read at once.
     samples: Vec<u16>,
     blocks: Blocks,
 }
@@ -111,6 +114,15 @@ impl Grid {
         (n * NORMAL_STEPS).trunc() / NORMAL_STEPS
     }
 
+    /// The heights at the corners of 4 by 4 cells from one on, and some more. Beyond the grid's sides they are anything.
+    #[inline(always)]
+    fn cell_rows(&self, i: usize, j: usize) -> CellRows<'_> {
+        std::array::from_fn(|k| {
+            let from = (j + k).min(self.height - 1) * self.width + i;
+            self.samples[from..].first_chunk().unwrap_or(&[0; ROW])
+        })
+    }
+
     /// Least and greatest height of a cell.
     fn cell_range(&self, i: usize, j: usize) -> (u16, u16) {
         let (a, b) = (self.sample(i, j), self.sample(i + 1, j));
@@ -124,13 +136,15 @@ impl HeightField {
     pub fn new(
         width: usize,
         height: usize,
-        samples: Vec<u16>,
+        mut samples: Vec<u16>,
         smooth: bool,
         water_level: f64,
     ) -> Option<Self> {
         if width < 2 || height < 2 || samples.len() != width * height {
             return None;
         }
+        samples.reserve_exact(ROW);
+        samples.extend([0; ROW]);
         let mut grid = Grid { width, height, samples, blocks: Blocks::default() };
         grid.blocks = Blocks::build(width - 1, height - 1, |i, j| grid.cell_range(i, j));
         let mut field = Self {
@@ -161,14 +175,44 @@ impl HeightField {
         (cell % (self.grid.width - 1), cell / (self.grid.width - 1), upper)
     }
 
-    fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
+    /// Calls `found` with crossings; it returns up to where others still count.
+    #[inline(always)]
+    fn visit(&self, ray: &Ray, range: Range, found: impl FnMut(Crossing) -> f64) {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has just been seen to have what `visit_wide` is compiled for.
+            #[allow(unsafe_code)]
+            return unsafe { self.visit_wide(ray, range, found) };
+        }
+        self.visit_by(ray, range, Parts::of_cells, Walk::passed, found);
+    }
+
+    /// Four parts of a block at once: with it a block of 27 fields takes 0.85 of the time.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    #[inline]
+    fn visit_wide(&self, ray: &Ray, range: Range, found: impl FnMut(Crossing) -> f64) {
+        let passed =
+            |walk: &Walk, block: &Block, range, parts: &Parts| wide::passed(walk, block, range, parts);
+        self.visit_by(ray, range, |rows| wide::of_cells(rows), passed, found);
+    }
+
+    #[inline(always)]
+    fn visit_by(
+        &self,
+        ray: &Ray,
+        range: Range,
+        of_cells: impl Fn(CellRows) -> Parts,
+        passed: impl Fn(&Walk, &Block, Range, &Parts) -> Passed,
+        mut found: impl FnMut(Crossing) -> f64,
+    ) {
         let grid = &self.grid;
         // Between samples 1 apart: corners are whole numbers.
         let scale = Vec3::new((grid.width - 1) as f64, UNIT, (grid.height - 1) as f64);
         let local = Ray::new(ray.origin * scale, ray.dir * scale);
         let shear = Shear::new(local.dir);
-        let heights = |i: usize, j: usize| grid.cell_range(i, j);
-        grid.blocks.traverse(&local, range, heights, |i, j, max| {
+        let cells = |i: usize, j: usize| of_cells(grid.cell_rows(i, j));
+        grid.blocks.traverse(&local, range, cells, passed, |i, j, max| {
             let mut max = max;
             let corners = grid.cell_corners(i, j).map(|p| p - local.origin);
             let seen = corners.map(|p| shear.project(p));
@@ -248,6 +292,15 @@ impl Shape for HeightField {
             c.t
         });
         best
+    }
+
+    fn meets(&self, ray: &Ray, range: Range) -> bool {
+        let mut met = false;
+        self.visit(ray, range, |_| {
+            met = true;
+            f64::NEG_INFINITY
+        });
+        met
     }
 
     fn contains(&self, p: Vec3) -> bool {

@@ -1,3 +1,4 @@
+use super::blocks::PARTS;
 use super::*;
 
 fn hills(width: usize, height: usize, smooth: bool, water: f64) -> HeightField {
@@ -35,6 +36,51 @@ fn blocks_miss_no_cell() {
         let first = found.iter().map(|c| c.t).fold(f64::INFINITY, f64::min);
         assert_eq!(field.nearest(&ray, Range::FORWARD).map_or(f64::INFINITY, |c| c.t), first);
     }
+}
+
+/// Four parts of a block at once are passed as they are one by one, to the bit.
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn wide_registers_change_nothing() {
+    if !std::arch::is_x86_feature_detected!("avx2") {
+        println!("skipped: no AVX2");
+        return;
+    }
+    let field = hills(90, 43, false, 0.0);
+    let scale = Vec3::new(89.0, UNIT, 42.0);
+    let mut random = crate::shape::conformance::Random::new(3);
+    let around = Aabb::new(Vec3::new(-0.5, -0.2, -0.5), Vec3::new(1.5, 1.2, 1.5));
+    let mut passed = 0;
+    for k in 0..2000 {
+        let (origin, mut target) = (random.in_box(&around), random.in_box(&around));
+        // Along axes and planes, too.
+        (0..3).filter(|axis| k >> axis & 1 == 1).for_each(|axis| target[axis] = origin[axis]);
+        let Some(dir) = (target - origin).try_normalize() else { continue };
+        let ray = Ray::new(origin * scale, dir * scale);
+        let both = |walk: &Walk, block: &Block, range: Range, parts: &Parts| {
+            // SAFETY: the processor has just been seen to have what `wide` is compiled for.
+            #[allow(unsafe_code)]
+            let wide = unsafe { wide::passed(walk, block, range, parts) };
+            let plain = walk.passed(block, range, parts);
+            let bits = |near: [f64; PARTS]| near.map(f64::to_bits);
+            assert_eq!((wide.set, bits(wide.near)), (plain.set, bits(plain.near)), "{ray:?}");
+            plain
+        };
+        let cells = |i: usize, j: usize| {
+            let rows = field.grid.cell_rows(i, j);
+            let parts = Parts::of_cells(rows);
+            // SAFETY: as above.
+            #[allow(unsafe_code)]
+            let wide = unsafe { wide::of_cells(rows) };
+            assert_eq!((wide.least, wide.greatest), (parts.least, parts.greatest));
+            parts
+        };
+        field.grid.blocks.traverse(&ray, Range::FORWARD, cells, both, |_, _, max| {
+            passed += 1;
+            max
+        });
+    }
+    assert!(passed > 500, "{passed}");
 }
 
 #[test]
