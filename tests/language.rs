@@ -72,8 +72,15 @@ fn prints(scene: &Path, name: &str, includes: IncludeMode, expected: &str) -> Re
     if let Err(error) = &outcome.scene {
         return Err(format!("{} ({:?})", error.message, error.span));
     }
+    // The macros of meshes say how far they are; only the values are compared.
+    let said = match name {
+        "standard_meshes.pov" => {
+            outcome.debug.lines().filter(|line| line.starts_with('>')).collect::<Vec<_>>().join("\n")
+        }
+        _ => outcome.debug.clone(),
+    };
     // The reference ends its file with a line end.
-    let found = outcome.debug.trim_end_matches('\n');
+    let found = said.trim_end_matches('\n');
     let expected = expected.trim_end_matches('\n');
     match found.lines().zip(expected.lines()).position(|(f, e)| f != e) {
         Some(at) => Err(format!(
@@ -214,9 +221,9 @@ fn settings_have_the_ranges_of_the_table() {
 /// Every standard include file: carried, or refused with the name of the package that has it.
 #[test]
 fn standard_include_files_are_carried_or_named() {
-    const CARRIED: &str = "arrays colors consts debug finish functions ior math rad_def rand screen shapes shapes2 shapes3 \
+    const CARRIED: &str = "arrays colors consts debug finish functions ior math meshmaker rad_def rand screen shapes shapes2 shapes3 \
         shapes_old shapesq stdinc strings sunpos transforms";
-    const NAMED: &str = "chars glass glass_old golds logo makegrass meshmaker metals skies stage1 stars stdcam stoneold stones \
+    const NAMED: &str = "chars glass glass_old golds logo makegrass metals skies stage1 stars stdcam stoneold stones \
         stones1 stones2 textures woodmaps woods";
     let read = |name: &str| {
         let text = format!("#version 3.7; #include \"{name}.inc\"");

@@ -154,16 +154,15 @@ impl Parser {
     }
 }
 
-/// Files that come with POV-Ray and are not carried here, most of them because they are design and not fact. Include files are without
+/// Files that come with POV-Ray and are not carried here because they are design and not fact. Include files are without
 /// their ending.
-const DESIGNS: [&str; 43] = [
+const DESIGNS: [&str; 42] = [
     "chars",
     "glass",
     "glass_old",
     "golds",
     "logo",
     "makegrass",
-    "meshmaker",
     "metals",
     "skies",
     "stage1",

@@ -15,6 +15,8 @@ failed=0
 for name in "$@"; do
   rm -f debug.txt
   if povray "+I$name.pov" +Oout.png +W4 +H3 -D -A +WT1 Debug_File=debug.txt >log.txt 2>&1 </dev/null; then
+    # The macros of meshes say how far they are: only the values are kept.
+    [ "$name" != standard_meshes ] || sed -i '/^>/!d' debug.txt
     cp debug.txt "$here/$name.expected"
     longest=$(wc -L <debug.txt)
     [ "$longest" -lt 80 ] || echo "$name: a line has $longest columns"

@@ -23,6 +23,7 @@ const FILES: &[(&str, &str)] = &[
     ("functions.inc", include_str!("functions.inc")),
     ("ior.inc", include_str!("ior.inc")),
     ("math.inc", include_str!("math.inc")),
+    ("meshmaker.inc", include_str!("meshmaker.inc")),
     ("rad_def.inc", include_str!("rad_def.inc")),
     ("rand.inc", include_str!("rand.inc")),
     ("screen.inc", include_str!("screen.inc")),
