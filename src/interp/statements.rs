@@ -42,9 +42,13 @@ impl Parser {
         Ok(())
     }
 
-    /// The semicolon behind an assignment. `required`: since version 3.5 it must not be left out.
+    /// The semicolon behind an assignment. `required`: since version 3.5 it must not be left out; it may be doubled,
+    /// as by `A = Macro();` where the macro's own text ends with one.
     pub(super) fn end_assignment(&mut self, span: Span, required: bool) -> Result<()> {
-        if self.accept_raw(Punct::Semicolon)? || !required {
+        if self.accept_raw(Punct::Semicolon)? {
+            return if required { self.second_semicolon() } else { Ok(()) };
+        }
+        if !required {
             return Ok(());
         }
         let version = self.syntax_version();
@@ -71,6 +75,15 @@ impl Parser {
             return Err(Box::new(missing));
         }
         self.lenient(missing)
+    }
+
+    /// What may stand behind `X = number;` once more.
+    #[inline]
+    pub(super) fn second_semicolon(&mut self) -> Result<()> {
+        if self.glance()? == Tok::Punct(Punct::Semicolon) {
+            self.raw()?;
+        }
+        Ok(())
     }
 
     /// Where the reference refuses a text for a reason that helps nobody: a warning, unless it is to be

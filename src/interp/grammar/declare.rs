@@ -32,7 +32,7 @@ impl Parser {
     /// `#declare ID = …` and `#local ID = …`, behind the word.
     pub(in crate::interp) fn declare_directive(&mut self, local: bool) -> Result<()> {
         if self.fast_assignment(local) {
-            return Ok(());
+            return self.second_semicolon();
         }
         let deprecation = self.deprecation()?;
         let target = self.assignment_target()?;
@@ -211,7 +211,10 @@ impl Parser {
             let message = format!("`{}` has no value to remove", self.name(target.symbol));
             self.warn(Diagnostic::warning(target.span, message));
         }
-        self.accept_raw(Punct::Semicolon).map(|_| ())
+        if self.accept_raw(Punct::Semicolon)? {
+            self.lenient(Diagnostic::warning(self.last, "no `;` is needed behind `#undef`"))?;
+        }
+        Ok(())
     }
 
     /// What may be assigned or passed to a macro.
