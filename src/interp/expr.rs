@@ -13,7 +13,8 @@ use crate::syntax::{Keyword, Punct, Symbol, Tok, Token};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Number {
     Scalar(f64),
-    /// 2 to 5 components, the others 0.
+    /// 2 to 5 components, the others 0. With one it is a number taken out of a vector, `v.y`, and the vector's other
+    /// components follow: where a vector is wanted, the reference replaces only the first one by the number.
     Tuple(u8, [f64; 5]),
 }
 
@@ -35,9 +36,18 @@ impl Number {
         }
     }
 
+    /// A number without the vector that it was taken out of.
+    pub fn plain(self) -> Self {
+        match self {
+            Tuple(1, v) => Scalar(v[0]),
+            other => other,
+        }
+    }
+
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         match self {
             Scalar(v) => Scalar(f(v)),
+            Tuple(1, v) => Tuple(1, [f(v[0]), v[1], v[2], v[3], v[4]]),
             Tuple(n, v) => Tuple(n, std::array::from_fn(|i| if i < n as usize { f(v[i]) } else { 0.0 })),
         }
     }
@@ -45,11 +55,13 @@ impl Number {
     /// Component by component; a scalar is replicated, a shorter tuple padded with 0.
     #[inline]
     fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        if let (Scalar(a), Scalar(b)) = (self, other) {
-            return Scalar(f(a, b));
+        match (self, other.plain()) {
+            (Scalar(a), Scalar(b)) => return Scalar(f(a, b)),
+            (Tuple(1, _), Scalar(b)) => return self.map(|a| f(a, b)),
+            _ => {}
         }
         let n = self.len().max(other.len());
-        let (a, b) = (self.filled(n), other.filled(n));
+        let (a, b) = (self.plain().filled(n), other.plain().filled(n));
         Tuple(n as u8, std::array::from_fn(|i| if i < n { f(a[i], b[i]) } else { 0.0 }))
     }
 
@@ -63,7 +75,7 @@ impl Number {
     /// As a variable keeps it: five components are a colour.
     pub fn into_value(self) -> Value {
         match self {
-            Scalar(v) => Value::Float(v),
+            Scalar(v) | Tuple(1, [v, ..]) => Value::Float(v),
             Tuple(5, v) => Value::Color(Color::from_components(v.map(|c| c as f32))),
             Tuple(n, v) => Value::Vector(n, v),
         }
@@ -102,7 +114,7 @@ impl Parser {
     #[inline]
     pub(super) fn scalar(&mut self, value: Number, start: Span) -> Result<f64> {
         match value {
-            Scalar(v) => Ok(v),
+            Scalar(v) | Tuple(1, [v, ..]) => Ok(v),
             Tuple(n, _) => Err(self.not_a_number(n, start)),
         }
     }
@@ -271,7 +283,7 @@ impl Parser {
     /// Division; by an exact 0 it gives infinity, with a warning.
     fn quotient(&mut self, left: Number, right: Number, span: Span) -> Number {
         let n = left.len().max(right.len());
-        if right.filled(n)[..n].contains(&0.0) {
+        if right.plain().filled(n)[..n].contains(&0.0) {
             self.warn(Diagnostic::warning(span, "division by zero").with_label("the result is infinite"));
         }
         left.with(right, |a, b| if b == 0.0 { f64::INFINITY } else { a / b })
@@ -303,7 +315,7 @@ impl Parser {
                 self.take(token)?;
                 let value = self.full()?;
                 self.expect_punct(Punct::RightParen)?;
-                value
+                value.plain()
             }
             Tok::Punct(Punct::Less) => self.vector_literal(token)?,
             Tok::Word(word) => match constant(word) {
@@ -393,7 +405,8 @@ impl Parser {
         };
         if word == Keyword::Gray {
             self.next()?;
-            return Ok(Scalar((0..3).map(|i| v[i] * GREY[i]).sum()));
+            let grey = (0..3).map(|i| v[i] * GREY[i]).sum();
+            return Ok(if n == 1 { Scalar(grey) } else { Tuple(1, [grey, v[1], v[2], v[3], v[4]]) });
         }
         let Some(index) = component_index(word) else {
             return Err(self.unexpected("the name of a component"));
@@ -406,7 +419,8 @@ impl Parser {
             };
             return Err(Box::new(Diagnostic::error(token.span, message)));
         }
-        Ok(Scalar(v[index as usize]))
+        let part = v[index as usize];
+        Ok(if n == 1 { Scalar(part) } else { Tuple(1, [part, v[1], v[2], v[3], v[4]]) })
     }
 
     /// Whether the next token can begin a colour or numeric expression.

@@ -241,7 +241,7 @@ fn write_error(path: &std::path::Path, why: &std::io::Error, span: Span) -> Box<
 
 /// A number as it is, a tuple with brackets and a space behind it.
 fn written(value: Number) -> String {
-    match value {
+    match value.plain() {
         Number::Scalar(v) => format_general(v),
         Number::Tuple(n, v) => {
             let parts: Vec<String> = v[..n as usize].iter().map(|&c| format_general(c)).collect();

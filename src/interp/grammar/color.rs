@@ -36,7 +36,7 @@ impl Parser {
                 }
                 None => [0.0; 5],
             },
-            _ if self.at_expression()? => self.full()?.filled(spread),
+            _ if self.at_expression()? => self.full()?.plain().filled(spread),
             _ => return Err(self.unexpected("a color")),
         };
         while self.component(&mut color)? {}
@@ -45,7 +45,7 @@ impl Parser {
 
     /// What follows `rgb` and its like: `parts` says which components a plain number fills.
     fn color_word(&mut self, word: Keyword, parts: Parts, span: Span) -> Result<[f64; 5]> {
-        let value = self.full()?;
+        let value = self.full()?.plain();
         let mut color = match value {
             Number::Scalar(v) => parts.spread(v),
             // The vector's 4th component is the transmit of `rgbt`.
