@@ -73,7 +73,7 @@ impl Tracer<'_> {
         };
         let mut color = source.light.color;
         if self.settings.quality >= 4 {
-            let ray = site.departure.ray(direction);
+            let ray = site.departure().ray(direction);
             color = self.transmitted(&ray, distance, &site.path.inside, source, color);
             if is_dark(color) {
                 return Rgb::ZERO;
@@ -99,7 +99,7 @@ impl Tracer<'_> {
             Some(color) => color,
             None => {
                 let inside = &site.path.inside;
-                let color = self.shadowed(&site.departure, inside, source, &arrival, site.path.class);
+                let color = self.shadowed(&site.departure(), inside, source, &arrival, site.path.class);
                 if let Some(k) = kept {
                     self.lit[k] = Some(color);
                 }
@@ -119,7 +119,7 @@ impl Tracer<'_> {
         let (direction, distance) = light.towards(point, Vec3::ZERO);
         let whole = crate::light::Arrival { direction, distance, strength: 1.0, color: light.color };
         let inside = &site.path.inside;
-        let shadowed = self.shadowed(&site.departure, inside, source, &whole, site.path.class);
+        let shadowed = self.shadowed(&site.departure(), inside, source, &whole, site.path.class);
         if is_dark(shadowed) {
             return Rgb::ZERO;
         }

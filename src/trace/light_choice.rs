@@ -112,7 +112,7 @@ impl<'w> Tracer<'w> {
     fn taken(&mut self, site: &Site, look: &Look, offer: &Offer) -> Option<Rgb> {
         let Offer { source, behind, .. } = offer;
         let arrival = source.light.arrival(site.hit.point, Vec3::ZERO)?;
-        let color = self.shadowed(&site.departure, &site.path.inside, source, &arrival, site.path.class);
+        let color = self.shadowed(&site.departure(), &site.path.inside, source, &arrival, site.path.class);
         let shadowless = source.light.shadowless;
         (!is_dark(color)).then(|| self.answer(site, look, arrival.direction, color, *behind, shadowless))
     }

@@ -3,8 +3,8 @@
 
 use super::direct::Look;
 use super::layers;
-use super::path::{Path, Radiance};
-use super::shade::{Bounce, Shaded, Site, declared_maximum};
+use super::path::Path;
+use super::shade::{Bounce, Site, declared_maximum};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::math::Ray;
@@ -27,7 +27,7 @@ impl<'w> Tracer<'w> {
 
     /// The colour of a hit, if its surface is as plain as that; the same as the long way gives.
     #[inline]
-    pub(super) fn plain(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Option<Shaded> {
+    pub(super) fn plain(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Option<Rgb> {
         if !self.lights_straight() {
             return None;
         }
@@ -35,9 +35,7 @@ impl<'w> Tracer<'w> {
         if !surface.plain || hit.uv_mapping {
             return None;
         }
-        let site = Site::new(ray, hit, path);
-        let rgb = self.plain_light(&site, surface)?;
-        Some(Shaded { light: Radiance { rgb, transmit: 0.0 }, onward: None })
+        self.plain_light(&Site::new(ray, hit, path), surface)
     }
 
     #[inline]

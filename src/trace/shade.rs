@@ -43,7 +43,6 @@ pub(super) struct Site<'a> {
     pub path: &'a Path,
     /// Unit geometric normal towards the viewer.
     pub facing: Vec3,
-    pub departure: Departure,
     /// Where this hit's shadowed light colours are kept, if several layers ask for them.
     pub lit: Option<usize>,
     incidence: OnceCell<Incidence>,
@@ -89,18 +88,22 @@ impl<'a> Site<'a> {
     #[inline]
     pub fn new(ray: &'a Ray, hit: &'a Hit, path: &'a Path) -> Self {
         let facing = if hit.normal.dot(ray.dir) > 0.0 { -hit.normal } else { hit.normal };
-        let departure = Departure::from_hit(hit);
         Self {
             ray,
             hit,
             path,
             facing,
-            departure,
             lit: None,
             incidence: OnceCell::new(),
             diffuse: Default::default(),
             photons: Cell::default(),
         }
+    }
+
+    /// Where rays leave the surface.
+    #[inline(always)]
+    pub fn departure(&self) -> Departure {
+        Departure::from_hit(self.hit)
     }
 
     /// Whether the side is seen that the normal points away from.
@@ -123,7 +126,10 @@ impl<'a> Site<'a> {
 impl<'w> Tracer<'w> {
     #[inline]
     pub(super) fn shade(&mut self, ray: &Ray, hit: &Hit, path: &Path) -> Shaded {
-        self.plain(ray, hit, path).unwrap_or_else(|| self.shade_fully(ray, hit, path))
+        match self.plain(ray, hit, path) {
+            Some(rgb) => Shaded { light: Radiance { rgb, transmit: 0.0 }, onward: None },
+            None => self.shade_fully(ray, hit, path),
+        }
     }
 
     /// The same for surfaces of any kind.
@@ -348,7 +354,7 @@ impl<'w> Tracer<'w> {
             }
             if kept.get().is_none() {
                 let query = Query {
-                    departure: &site.departure,
+                    departure: &site.departure(),
                     normal: sign * normal,
                     facing: sign * site.facing,
                     weight: site.path.weight * part,
@@ -362,7 +368,7 @@ impl<'w> Tracer<'w> {
 
     /// Light from behind the surface. Straight on it is left to the caller's loop, for all stacks at once.
     fn pass(&mut self, site: &Site, stacks: &mut [Through], light: &mut Radiance) -> Option<Onward> {
-        let straight = site.departure.ray(site.ray.dir);
+        let straight = site.departure().ray(site.ray.dir);
         if !self.needs.interiors {
             return Some(joined(stacks, straight, Interiors::new(), Rgb::ONE));
         }
@@ -387,7 +393,7 @@ impl<'w> Tracer<'w> {
         self.counters.reflected_rays += 1;
         let direction = reflect::mirrored(ray.dir, bounce.normal, site.facing);
         let mut child = Path { weight: bounce.weight, class: mirrored_class(path.class), ..path.clone() };
-        let mut rgb = self.trace(&site.departure.ray(direction), &mut child).rgb;
+        let mut rgb = self.trace(&site.departure().ray(direction), &mut child).rgb;
         let finish = bounce.finish;
         rgb *= self.film_factor(site, finish, bounce.normal, direction);
         if finish.reflection.power != 1.0 {
@@ -450,13 +456,13 @@ impl<'w> Tracer<'w> {
             Some(direction) => {
                 self.counters.refracted_rays += 1;
                 child.inside = copied(&passage.inside);
-                (self.trace(&site.departure.ray(direction), &mut child), false)
+                (self.trace(&site.departure().ray(direction), &mut child), false)
             }
             None => {
                 self.counters.reflected_rays += 1;
                 let direction = reflect::mirrored(site.ray.dir, stack.normal, site.facing);
                 child.class = mirrored_class(child.class);
-                let mut seen = self.trace(&site.departure.ray(direction), &mut child);
+                let mut seen = self.trace(&site.departure().ray(direction), &mut child);
                 if let Some(finish) = stack.finish {
                     seen.rgb *= self.film_factor(site, finish, stack.normal, direction);
                 }

@@ -232,7 +232,7 @@ impl<'w> Tracer<'w> {
         let collects = std::mem::replace(&mut self.collects, false);
         let mut sum = self.diffused(site, look, &medium, diffuse_samples);
         if let Some(direction) = refract::bent(site.ray.dir, look.normal, 1.0 / index) {
-            let inner = site.departure.ray(direction);
+            let inner = site.departure().ray(direction);
             let end = self.world.nearest(&inner, Range::FORWARD, RayClass::Image);
             sum += self.scattered_once(site, look, &medium, (direction, end.as_ref()), single_samples);
             sum += self.straight_through(site, &medium, direction, end.as_ref());
@@ -284,7 +284,7 @@ impl<'w> Tracer<'w> {
     /// From where light is looked for: a free length below the surface, or half-way through what is thin.
     fn base_point(&self, site: &Site, look: &Look, medium: &Medium) -> Vec3 {
         let free = medium.free_length();
-        let ray = site.departure.ray(-look.normal);
+        let ray = site.departure().ray(-look.normal);
         let depth = match self.world.nearest(&ray, Range::new(0.0, 2.0 * free), RayClass::Image) {
             Some(hit) if hit.interior == site.hit.interior => 0.5 * hit.t,
             Some(hit) => free.min(hit.t * (1.0 - 1e-10)),

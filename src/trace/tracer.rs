@@ -221,7 +221,7 @@ impl<'w> Tracer<'w> {
             None if self.world.scene.camera.rays() > 1 => self.averaged((x, y), size),
             None => {
                 let ray = self.world.scene.camera.ray(x, y, size, &self.context);
-                self.seen(ray, |tracer, ray| tracer.sharp_ray(ray, (x, y), size))
+                self.seen(ray.as_ref(), |tracer, ray| tracer.sharp_ray(ray, (x, y), size))
             }
         }
     }
@@ -274,11 +274,11 @@ impl<'w> Tracer<'w> {
     }
 
     fn seen_along(&mut self, ray: Option<Ray>) -> Pixel {
-        self.seen(ray, Self::camera_ray)
+        self.seen(ray.as_ref(), Self::camera_ray)
     }
 
     #[inline(always)]
-    fn seen(&mut self, ray: Option<Ray>, trace: impl FnOnce(&mut Self, Ray) -> Radiance) -> Pixel {
+    fn seen(&mut self, ray: Option<&Ray>, trace: impl FnOnce(&mut Self, &Ray) -> Radiance) -> Pixel {
         let nothing = Radiance { rgb: Rgb::ZERO, transmit: 1.0 };
         let mut seen = ray.map_or(nothing, |ray| trace(self, ray));
         if seen.rgb.is_nan() || seen.transmit.is_nan() {
@@ -289,30 +289,30 @@ impl<'w> Tracer<'w> {
     }
 
     /// A camera's only ray through a place.
-    fn sharp_ray(&mut self, ray: Ray, place: (f64, f64), size: (f64, f64)) -> Radiance {
+    fn sharp_ray(&mut self, ray: &Ray, place: (f64, f64), size: (f64, f64)) -> Radiance {
         // Cameras that do not see to any distance have no beams.
         let hit = match self.sights.at(self.world, place, size) {
-            Some(sight) => self.world.nearest_in_sight(sight, &ray, Range::FORWARD, RayClass::Image),
+            Some(sight) => self.world.nearest_in_sight(sight, ray, Range::FORWARD, RayClass::Image),
             None => return self.camera_ray(ray),
         };
         self.seen_by_camera(ray, hit.as_ref())
     }
 
-    pub(super) fn camera_ray(&mut self, ray: Ray) -> Radiance {
+    pub(super) fn camera_ray(&mut self, ray: &Ray) -> Radiance {
         let range = Range { max: self.world.scene.camera.max_distance(), ..Range::FORWARD };
-        let hit = self.world.nearest(&ray, range, RayClass::Image);
+        let hit = self.world.nearest(ray, range, RayClass::Image);
         self.seen_by_camera(ray, hit.as_ref())
     }
 
     /// A ray of the camera whose hit is known.
-    fn seen_by_camera(&mut self, ray: Ray, hit: Option<&Hit>) -> Radiance {
+    fn seen_by_camera(&mut self, ray: &Ray, hit: Option<&Hit>) -> Radiance {
         self.counters.camera_rays += 1;
         if let Some(radiosity) = &mut self.radiosity {
             radiosity.begin_ray();
         }
-        let inside = self.camera_interiors(&ray);
+        let inside = self.camera_interiors(ray);
         let mut path = Path { level: 0, weight: 1.0, class: RayClass::Image, wavelength: None, inside };
-        self.trace_from(&ray, &mut path, hit)
+        self.trace_from(ray, &mut path, hit)
     }
 
     fn camera_interiors(&mut self, ray: &Ray) -> Interiors {
@@ -373,6 +373,11 @@ impl<'w> Tracer<'w> {
         }
         path.level += 1;
         let Some(hit) = hit else { return self.leave(ray, path) };
+        // What is no number comes out again below, and is noted there.
+        if let Some(rgb) = self.plain(ray, hit, path).filter(|rgb| !rgb.is_nan()) {
+            let light = Radiance { rgb, transmit: 0.0 };
+            return if self.needs.interiors { self.segment_veil(ray, hit, path).over(light) } else { light };
+        }
         let shaded = self.shaded(ray, hit, path);
         let front = if self.needs.interiors { self.segment_veil(ray, hit, path) } else { Veil::NONE };
         match shaded.onward {

@@ -215,53 +215,57 @@ impl Geometry {
     /// The nearest crossing among the roots that `class` sees. Of equal distances the root that the scene
     /// names first counts.
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
+        let mut best = Nearest::of(class);
+        self.find(&mut best, ray, range);
+        best.found
+    }
+
+    /// The same where it is to stay: what is found is not copied while it is still being written.
+    #[inline]
+    pub fn find(&self, best: &mut Nearest, ray: &Ray, range: Range) {
         match &self.search {
-            Finite::Tree(tree) => self.nearest_of_all(tree, ray, range, class),
-            _ => self.nearest_treeless(ray, range, class),
+            Finite::Tree(tree) => self.find_in_tree(tree, best, ray, range),
+            _ => self.find_treeless(best, ray, range),
         }
+    }
+
+    #[inline(never)]
+    fn find_in_tree(&self, tree: &impl Accelerator, best: &mut Nearest, ray: &Ray, range: Range) {
+        // The compiler keeps one of its own in registers.
+        let mut own = Nearest { found: None, ..*best };
+        self.find_among(tree, None, &mut own, ray, range);
+        *best = own;
     }
 
     /// Apart, so that trees' own way stays short.
     #[inline(never)]
-    fn nearest_treeless(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Found> {
+    fn find_treeless(&self, best: &mut Nearest, ray: &Ray, range: Range) {
         match &self.search {
-            Finite::Tree(_) => None,
-            Finite::Grid(grid) => self.nearest_of_all(grid, ray, range, class),
-            Finite::List(list) => self.nearest_of_all(list, ray, range, class),
+            Finite::Tree(_) => (),
+            Finite::Grid(grid) => self.find_among(grid, None, best, ray, range),
+            Finite::List(list) => self.find_among(list, None, best, ray, range),
         }
-    }
-
-    #[inline(always)]
-    fn nearest_of_all(
-        &self,
-        finite: &impl Accelerator,
-        ray: &Ray,
-        range: Range,
-        class: RayClass,
-    ) -> Option<Found> {
-        self.nearest_among(finite, None, ray, range, class)
     }
 
     /// The same among `finite`, where `sight` may know more of the meshes.
     #[inline(always)]
-    pub fn nearest_among(
+    pub fn find_among(
         &self,
         finite: &impl Accelerator,
         sight: Option<&Sight>,
+        best: &mut Nearest,
         ray: &Ray,
         range: Range,
-        class: RayClass,
-    ) -> Option<Found> {
-        let mut best = Nearest::of(class);
+    ) {
         let mut max = range.max;
         for (item, plane) in self.infinite.iter().zip(&self.planes) {
             max = match plane {
                 Some(plane) => best.take_plane(item, plane, ray, Range::new(range.min, max)),
-                None => self.nearer(&mut best, item, ray, Range::new(range.min, max)),
+                None => self.nearer(best, item, ray, Range::new(range.min, max)),
             };
         }
         if self.finite.is_empty() {
-            return best.found;
+            return;
         }
         let range = Range::new(range.min, max);
         if self.balls.is_empty() {
@@ -289,7 +293,6 @@ impl Geometry {
         {
             self.measure_inside(found);
         }
-        best.found
     }
 
     /// Gives a ball's crossing its distance in the shape's units.

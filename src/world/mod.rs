@@ -35,7 +35,7 @@ use crate::math::{Beam, Range, Ray, Shaft, Transform, Vec2, Vec3};
 use crate::scene::Scene;
 use crate::shape::PartTexture;
 use flatten::Flattened;
-use geometry::{Found, Geometry, NONE, Solid};
+use geometry::{Found, Geometry, NONE, Nearest, Solid};
 use hit::Shading;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -121,7 +121,9 @@ impl World {
 
     /// The nearest hit inside `range` among the objects that `class` sees. `ray.dir` has unit length.
     pub fn nearest(&self, ray: &Ray, range: Range, class: RayClass) -> Option<Hit> {
-        self.geometry.nearest(ray, range, class).map(|found| self.hit(ray, &found))
+        let mut best = Nearest::of(class);
+        self.geometry.find(&mut best, ray, range);
+        best.found.as_ref().map(|found| self.hit(ray, found))
     }
 
     /// Whether there is so much in the scene that [`Sight`]s save time.
@@ -136,7 +138,7 @@ impl World {
 
     /// [`World::nearest`] for a ray inside the beam that the sight was filled for.
     pub fn nearest_in_sight(&self, sight: &Sight, ray: &Ray, range: Range, class: RayClass) -> Option<Hit> {
-        self.geometry.nearest_in_sight(sight, ray, range, class).map(|found| self.hit(ray, &found))
+        self.geometry.nearest_in_sight(sight, ray, range, class).as_ref().map(|found| self.hit(ray, found))
     }
 
     #[inline]

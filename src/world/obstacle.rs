@@ -94,26 +94,30 @@ impl Geometry {
             }
             stopped
         };
-        let met = |i: usize| planes.get(i)?.as_ref().map(|plane| range.contains(plane.along(ray)));
-        let stopped = infinite.iter().enumerate().any(|(i, item)| stops(item, NONE, met(i)))
-            || if self.finite.is_empty() {
-                false
-            } else if self.balls.is_empty() {
-                finite.any(ray, range, |place| stops(&self.finite[place as usize], place, None))
-            } else {
-                finite.any(ray, range, |place| {
-                    let met = match self.balls[place as usize].meet(ray, range) {
-                        Met::Nothing => return false,
-                        Met::Sphere(t) => Some(t < range.max),
-                        Met::Perhaps => None,
-                    };
-                    stops(&self.finite[place as usize], place, met)
-                })
-            };
-        match (stopped, filter.found) {
-            (true, _) => Obstacle::Opaque,
-            (false, Some(found)) => Obstacle::Filter(found),
-            (false, None) => Obstacle::None,
+        let plane = |i: usize| planes.get(i)?.as_ref();
+        let stopped = infinite.iter().enumerate().any(|(i, item)| match plane(i) {
+            Some(plane) if item.shades => range.contains(plane.along(ray)),
+            _ => stops(item, NONE, None),
+        }) || if self.finite.is_empty() {
+            false
+        } else if self.balls.is_empty() {
+            finite.any(ray, range, |place| stops(&self.finite[place as usize], place, None))
+        } else {
+            finite.any(ray, range, |place| {
+                let met = match self.balls[place as usize].meet(ray, range) {
+                    Met::Nothing => return false,
+                    Met::Sphere(t) => Some(t < range.max),
+                    Met::Perhaps => None,
+                };
+                stops(&self.finite[place as usize], place, met)
+            })
+        };
+        if stopped {
+            return Obstacle::Opaque;
+        }
+        match filter.found {
+            Some(found) => Obstacle::Filter(found),
+            None => Obstacle::None,
         }
     }
 }

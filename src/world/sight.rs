@@ -1,10 +1,10 @@
 //! What rays inside one beam may meet: found once, for many of them.
 
 use super::accel::Finite;
-use super::geometry::{Found, Geometry, Item, Solid};
+use super::geometry::{Found, Geometry, Item, Nearest, Solid};
 use super::hit::RayClass;
 use crate::math::bvh::{Cut, CutTree};
-use crate::math::{Beam, Range, Ray};
+use crate::math::{Accelerator, Beam, Range, Ray};
 use crate::shape::Mesh;
 
 /// Trees of fewer nodes are gone through as quickly.
@@ -96,11 +96,25 @@ impl Geometry {
         match &self.search {
             Finite::Tree(tree) if sight.has_roots => {
                 let tree = CutTree { tree, cut: &sight.roots };
-                self.nearest_among(&tree, Some(sight), ray, range, class)
+                self.nearest_among(&tree, sight, ray, range, class)
             }
-            Finite::List(list) => self.nearest_among(list, Some(sight), ray, range, class),
+            Finite::List(list) => self.nearest_among(list, sight, ray, range, class),
             _ => self.nearest(ray, range, class),
         }
+    }
+
+    #[inline(always)]
+    fn nearest_among(
+        &self,
+        finite: &impl Accelerator,
+        sight: &Sight,
+        ray: &Ray,
+        range: Range,
+        class: RayClass,
+    ) -> Option<Found> {
+        let mut best = Nearest::of(class);
+        self.find_among(finite, Some(sight), &mut best, ray, range);
+        best.found
     }
 
     /// [`Geometry::nearest_of`] for the finite object at a place, of which `sight` may know more.

@@ -63,6 +63,14 @@ impl Parser {
         let token = self.peek()?;
         let format = match token.tok {
             Tok::Word(Keyword::Function) => return self.image_of_function(),
+            Tok::Word(Keyword::Iff) => {
+                let message = "IFF pictures are not read: convert the file, to PNG for example";
+                return Err(Box::new(Diagnostic::error(token.span, message)));
+            }
+            Tok::Word(Keyword::Sys) => {
+                let message = "this system has no picture files of its own kind";
+                return Err(Box::new(Diagnostic::error(token.span, message)));
+            }
             Tok::Word(word) => format_of_word(word),
             _ => None,
         };

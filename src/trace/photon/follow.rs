@@ -143,7 +143,7 @@ impl Tracer<'_> {
         if self.needs.interiors {
             flight.path.inside = Passage::new(self.world, &site.path.inside, site.hit.interior).inside;
         }
-        self.fly(&site.departure.ray(site.ray.dir), flight, run);
+        self.fly(&site.departure().ray(site.ray.dir), flight, run);
     }
 
     /// Whether all was reflected.
@@ -160,7 +160,7 @@ impl Tracer<'_> {
         if passage.is_straight() {
             let inside = if self.needs.interiors { passage.inside } else { Interiors::new() };
             let path = Path { inside, ..through.path.clone() };
-            self.fly(&site.departure.ray(site.ray.dir), Flight { path, ..through }, run);
+            self.fly(&site.departure().ray(site.ray.dir), Flight { path, ..through }, run);
             return false;
         }
         if passage.disperses() && wavelength.is_none() {
@@ -192,14 +192,14 @@ impl Tracer<'_> {
         match refract::bent(site.ray.dir, normal, ratio) {
             Some(direction) => {
                 let path = Path { inside: copied(&passage.inside), ..through.path.clone() };
-                self.fly(&site.departure.ray(direction), Flight { path, ..through }, run);
+                self.fly(&site.departure().ray(direction), Flight { path, ..through }, run);
                 false
             }
             None => {
                 let direction = reflect::mirrored(site.ray.dir, normal, site.facing);
                 let path = Path { class: RayClass::ReflectedPhoton, ..through.path.clone() };
                 let flight = Flight { color: before.color, path, ..through };
-                self.fly(&site.departure.ray(direction), flight, run);
+                self.fly(&site.departure().ray(direction), flight, run);
                 true
             }
         }
@@ -211,7 +211,7 @@ impl Tracer<'_> {
         let path = Path { class: RayClass::ReflectedPhoton, ..flight.path.clone() };
         let weight = flight.weight * bounce.weight;
         let flight = Flight { color: color * bounce.k, weight, path, ..flight.clone() };
-        self.fly(&site.departure.ray(direction), flight, run);
+        self.fly(&site.departure().ray(direction), flight, run);
     }
 
     /// What a stack of layers does to a photon.

@@ -268,7 +268,7 @@ impl Tracer<'_> {
         let size = (f64::from(self.settings.width), f64::from(self.settings.height));
         let camera = &self.world.scene.camera;
         if let Some(ray) = camera.ray(x + 0.5, y + 0.5, size, &self.context) {
-            self.camera_ray(ray);
+            self.camera_ray(&ray);
         }
     }
 }
