@@ -77,6 +77,7 @@ pub struct Calibration {
 }
 
 /// The class of an expected squared error.
+#[inline]
 pub fn bin(expected: f32) -> usize {
     // The exponent of a single-precision number: 126 stands for 1/2 to 1.
     let exponent = expected.max(FLOOR).to_bits() >> 23;
@@ -145,6 +146,7 @@ impl Calibration {
 pub struct Factors([[f32; BINS]; LEVELS]);
 
 impl Factors {
+    #[inline]
     pub fn corrected(&self, level: usize, expected: f32) -> f32 {
         expected.max(FLOOR) * self.0[level][bin(expected)]
     }

@@ -8,12 +8,14 @@
 pub const LEVELS: usize = 24;
 
 /// The level of a pixel with 2^level samples.
+#[inline]
 pub fn level(count: u32) -> usize {
     (count.max(1).ilog2() as usize).min(LEVELS - 1)
 }
 
 /// How many samples a pixel gets next: 1, 4, 8, 16 and so on. A second one beside the first in the centre would
 /// take nothing away.
+#[inline]
 pub fn following(count: u32) -> u32 {
     match count {
         0 => 1,
@@ -28,6 +30,7 @@ pub fn next_level(level: usize) -> usize {
 }
 
 /// Samples from a level to the next.
+#[inline]
 pub fn step(level: usize) -> f64 {
     if level == 0 { 3.0 } else { 2f64.powi(level as i32) }
 }

@@ -53,9 +53,10 @@ impl Gaps {
     /// squared error of a pixel that is aimed at, over its channels.
     pub fn begin(&mut self, tally: &Tally, light: &Light, aim: f32) -> Vec<Task> {
         self.wide = Wide::new(tally, light, aim);
-        let width = tally.width();
-        self.is_wide =
-            (0..tally.pixels.len()).map(|i| self.wide.error(i % width, i / width).is_some()).collect();
+        self.is_wide = Vec::with_capacity(tally.pixels.len());
+        for y in 0..tally.height() {
+            self.is_wide.extend((0..tally.width()).map(|x| self.wide.error(x, y).is_some()));
+        }
         // Sampled pixels among others that are all alike tell how often there is something small that the others do
         // not know of.
         for jump in self.wide.surprises(ALIKE) {
@@ -107,13 +108,14 @@ impl Gaps {
         let factors = self.calibration.factors();
         let grid = Grid::new(tally, SPACING);
         // Where a sample is missing between which others lie, what it would be off by is known first.
-        if self.is_wide.iter().any(|w| *w) {
+        if self.wide.is_any() {
             let coarse = Grid::new(tally, wide::SPACING);
             coarse.each_gap(tally, |i, places, (dx, dy)| {
                 let known = places.map(|i| expected[i].variance);
                 let (x, y) = ((i % grid.width) / SPACING, i / grid.width / SPACING);
                 let own = y * grid.columns + x;
-                let plain = self.plain(0.0, own).max(self.wide_error(i, grid.width));
+                let wide = self.wide.error(i % grid.width, i / grid.width);
+                let plain = self.plain(0.0, own).max(wide.unwrap_or(0.0));
                 let variance = factors.corrected(1, plain);
                 expected[i] = Expected { plain, local: between(&known, dx, dy), variance };
             });
@@ -124,25 +126,24 @@ impl Gaps {
                 let own = y * grid.columns + x;
                 let right = if x + 1 < grid.columns { own + 1 } else { own };
                 let below = if y + 1 < grid.rows { own + grid.columns } else { own };
+                let wide = self.wide.error(x * SPACING, y * SPACING);
+                let kind = usize::from(wide.is_some());
+                let of = |i: usize| match tally.pixels[i].count {
+                    0 => expected[i].local,
+                    _ => expected[i].variance,
+                };
+                let known = [of(places[0]), of(places[1]), of(places[2]), of(places[3])];
+                let light = self.lights[own];
                 for (dx, dy) in [(1, 0), (0, 1), (1, 1)] {
                     let Some(i) = grid.gap(x, y, dx, dy).filter(|&i| tally.pixels[i].count == 0) else {
                         continue;
                     };
                     let pair = match (dx, dy) {
-                        (1, 0) => self.lights[own].distance_squared(self.lights[right]),
-                        (0, 1) => self.lights[own].distance_squared(self.lights[below]),
+                        (1, 0) => light.distance_squared(self.lights[right]),
+                        (0, 1) => light.distance_squared(self.lights[below]),
                         _ => self.differences[own],
                     };
-                    let of = |i: usize| match tally.pixels[i].count {
-                        0 => expected[i].local,
-                        _ => expected[i].variance,
-                    };
-                    let known = [of(places[0]), of(places[1]), of(places[2]), of(places[3])];
-                    let kind = usize::from(self.is_wide(i));
-                    let mut plain = self.plain(pair, own);
-                    if kind == 1 {
-                        plain = plain.max(self.wide_error(i, grid.width));
-                    }
+                    let plain = self.plain(pair, own).max(wide.unwrap_or(0.0));
                     let variance = factors.corrected(kind, plain);
                     expected[i] = Expected { plain, local: between(&known, dx, dy), variance };
                 }
@@ -153,10 +154,6 @@ impl Gaps {
     fn plain(&self, pair: f32, square: usize) -> f32 {
         let around = SQUARE_TO_ERROR * self.differences[square] + NEXT_TO_ERROR * self.near[square];
         (DIFFERENCE_TO_ERROR * pair + around).max(FLOOR)
-    }
-
-    fn wide_error(&self, i: usize, width: usize) -> f32 {
-        self.wide.error(i % width, i / width).unwrap_or(0.0)
     }
 
     /// A gap of which `expected` was expected has been sampled: it was off by the root of `jump`, in which the

@@ -18,6 +18,8 @@ const STEP: f64 = 0.8;
 const LEAST_STEP: f64 = 0.03;
 /// A plan aims at a little less than the target, so that it need not be mended afterwards.
 const AIM: f64 = 0.97;
+/// Pixels of which less than this share of the mean error is expected are not looked at.
+const LEAST_ERROR: f32 = 1e-4;
 /// The share of the samples that there are which goes to pixels picked by chance, in each round.
 const AUDIT_SHARE: f64 = 0.03;
 /// The same while there are gaps,
@@ -81,9 +83,13 @@ impl Planner<'_> {
     /// The next round's tasks, those first that gain most. `target` is the squared error to be reached.
     pub fn tasks(&self, target: Option<f64>) -> Vec<Task> {
         let mut ladder = Ladder::new();
-        let pixels = self.expected.iter().zip(&self.tally.pixels);
-        let rungs: Vec<u8> =
-            pixels.map(|(e, samples)| ladder.add(e, samples, self.convergence) as u8).collect();
+        let least = LEAST_ERROR * (self.total / self.expected.len() as f64) as f32;
+        let mut rungs = vec![(Ladder::RUNGS - 1) as u8; self.expected.len()];
+        for ((rung, e), samples) in rungs.iter_mut().zip(self.expected).zip(&self.tally.pixels) {
+            if e.variance >= least {
+                *rung = ladder.add(e, samples, self.convergence) as u8;
+            }
+        }
         ladder.climb(self.convergence);
         let lowest = ladder.cut(self.samples as f64, target.map(|t| self.total - AIM * t)) as u8;
         let is_chosen = |i: usize| rungs[i] <= lowest && self.tally.pixels[i].count < MAX_COUNT;
@@ -171,6 +177,7 @@ impl Planner<'_> {
 }
 
 /// Error that doubling takes away, per ray; of a gap, that which its first sample takes away.
+#[inline]
 fn gain(e: &Expected, samples: &Samples, convergence: &Convergence) -> f32 {
     let rays_per_sample = (samples.rays / samples.count.max(1) as f32).max(1.0);
     match samples.count {
@@ -209,6 +216,7 @@ impl Ladder {
 
     /// A gain of 4 or more is on the first rung, and a gain below 2^-61 on the last. Quarters of an octave
     /// are told by the two highest bits of the fraction.
+    #[inline]
     fn rung(gain: f32) -> usize {
         const HIGHEST: u32 = (4.0f32.to_bits()) >> 21;
         HIGHEST.saturating_sub(gain.max(f32::MIN_POSITIVE).to_bits() >> 21).min(Self::RUNGS as u32 - 1)
@@ -216,6 +224,7 @@ impl Ladder {
     }
 
     /// The first doubling of one pixel; its rung.
+    #[inline]
     fn add(&mut self, e: &Expected, samples: &Samples, convergence: &Convergence) -> usize {
         let own = Self::rung(gain(e, samples, convergence));
         let mut rung = own;

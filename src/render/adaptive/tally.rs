@@ -56,6 +56,7 @@ impl Samples {
         joined
     }
 
+    #[inline]
     pub fn pixel(&self) -> Pixel {
         let [r, g, b, transmit] = self.mean;
         Pixel::new(Rgb::new(r, g, b), transmit)

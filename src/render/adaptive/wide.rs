@@ -44,8 +44,8 @@ impl Wide {
     fn expected(&self, most: f32) -> Vec<f32> {
         let curvatures: Vec<f32> = (0..self.lights.len()).map(|i| self.curvature(i)).collect();
         let mut errors = vec![f32::INFINITY; self.lights.len()];
-        for y in 0..self.rows - 1 {
-            for x in 0..self.columns - 1 {
+        for y in 0..self.rows.saturating_sub(1) {
+            for x in 0..self.columns.saturating_sub(1) {
                 let own = y * self.columns + x;
                 let below = own + self.columns;
                 let upper = curvatures[own].max(curvatures[own + 1]);
@@ -71,8 +71,14 @@ impl Wide {
     }
 
     /// The error expected of pixels around a place, if they are left wide.
+    #[inline]
     pub fn error(&self, x: usize, y: usize) -> Option<f32> {
         self.errors.get(y / SPACING * self.columns + x / SPACING).copied().filter(|e| e.is_finite())
+    }
+
+    /// Whether any square is left wide.
+    pub fn is_any(&self) -> bool {
+        self.errors.iter().any(|e| e.is_finite())
     }
 
     /// The samples between which gaps lie, of squares that are not left wide.
