@@ -5,7 +5,7 @@ use crate::math::noise::{octaves, vector_octaves};
 const OCTAVES: usize = 10;
 
 /// So many octaves at a time are added before they are looked at.
-const STEPS: [usize; 4] = [4, 2, 2, 2];
+const STEPS: [usize; 5] = [3, 1, 2, 2, 2];
 
 /// The weight of the last octave.
 const SMALLEST: f64 = 1.0 / 512.0;
