@@ -217,7 +217,7 @@ impl Tracer<'_> {
         let ray = e.departure.ray(direction);
         self.shared_dimming.next_lamp();
         let color = if e.way == Way::Known {
-            self.transmitted_past(&ray, distance, e.inside, e.source, e.color, |world, ray, range, _| {
+            self.transmitted_past(&ray, distance, e.inside, e.source, e.color, |world, ray, range, _, _| {
                 world.obstacle_between(&e.between, ray, range)
             })
         } else {

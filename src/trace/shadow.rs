@@ -11,7 +11,7 @@ use crate::color::Rgb;
 use crate::light::{Arrival, Light, is_dark};
 use crate::math::{EPSILON, Range, Ray};
 use crate::pattern::Context;
-use crate::world::{Blocker, Hit, Obstacle, RayClass, Surface, World, WorldLight};
+use crate::world::{Blocker, Crossed, Hit, Next, Obstacle, RayClass, Surface, World, WorldLight};
 use smallvec::SmallVec;
 use std::cell::Cell;
 
@@ -79,8 +79,13 @@ impl Tracer<'_> {
         source: &WorldLight,
         color: Rgb,
     ) -> Rgb {
-        self.transmitted_past(ray, distance, inside, source, color, |world, ray, range, last| {
-            world.obstacle(ray, range, last)
+        let collects = self.needs.media;
+        self.transmitted_past(ray, distance, inside, source, color, |world, ray, range, last, crossed| {
+            if collects {
+                world.obstacle_and_all(ray, range, last, crossed)
+            } else {
+                world.obstacle(ray, range, last)
+            }
         })
     }
 
@@ -93,7 +98,7 @@ impl Tracer<'_> {
         inside: &Interiors,
         source: &WorldLight,
         color: Rgb,
-        obstacle: impl FnOnce(&World, &Ray, Range, &mut Blocker) -> Obstacle<Hit>,
+        obstacle: impl FnOnce(&World, &Ray, Range, &mut Blocker, &mut Crossed) -> Obstacle<Hit>,
     ) -> Rgb {
         self.counters.shadow_rays += 1;
         let light = &source.light;
@@ -109,8 +114,13 @@ impl Tracer<'_> {
         }
         let dims = self.dims(light);
         let last = &mut self.blockers[source.number as usize];
-        let met =
-            if end > 0.0 { obstacle(self.world, ray, Range::new(0.0, end), last) } else { Obstacle::None };
+        self.crossed.forget();
+        let crossed = &mut self.crossed;
+        let met = if end > 0.0 {
+            obstacle(self.world, ray, Range::new(0.0, end), last, crossed)
+        } else {
+            Obstacle::None
+        };
         let worth = self.shadow_worth;
         if self.needs.clouds && !worth.is_known() && !self.settings.overrides.reference {
             self.shadow_worth = Worth::at_surface(color);
@@ -144,7 +154,8 @@ impl Tracer<'_> {
         mut color: Rgb,
     ) -> Rgb {
         let mut inside = copied(inside);
-        for _ in 0..MAX_PASSED {
+        let (whole, mut passed) = (to_lamp.ray, 0.0);
+        for number in 1..MAX_PASSED {
             if dims {
                 color *= self.dimmed(&to_lamp.ray, hit.t, &inside);
             }
@@ -164,12 +175,12 @@ impl Tracer<'_> {
                 }
             }
             to_lamp = to_lamp.behind(&hit);
-            let next = (to_lamp.end > 0.0)
-                .then(|| {
-                    let range = Range::new(0.0, to_lamp.end);
-                    self.world.nearest(&to_lamp.ray, range, RayClass::Filtered)
-                })
-                .flatten();
+            passed += hit.t;
+            let next = match self.world.crossing(&whole, &self.crossed, number as usize) {
+                Next::Hit(next) => Some(Hit { t: next.t - passed, ..next }),
+                Next::Nothing => None,
+                Next::Unknown => self.next_filter(&to_lamp),
+            };
             match next {
                 Some(next) => hit = next,
                 None if dims => return color * self.dimmed(&to_lamp.ray, to_lamp.distance, &inside),
@@ -177,6 +188,13 @@ impl Tracer<'_> {
             }
         }
         Rgb::ZERO
+    }
+
+    /// The next surface on the way; it is not known from the whole way's crossings, so no later one is either.
+    fn next_filter(&mut self, to_lamp: &Stretch) -> Option<Hit> {
+        self.crossed.forget();
+        let range = Range::new(0.0, to_lamp.end);
+        (to_lamp.end > 0.0).then(|| self.world.nearest(&to_lamp.ray, range, RayClass::Filtered))?
     }
 
     /// Whether light through the object comes as photons instead.

@@ -15,7 +15,7 @@ use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::{Range, Ray, Vec3};
 use crate::pattern::Context;
-use crate::world::{Between, Blocker, Hit, InteriorId, RayClass, World};
+use crate::world::{Between, Blocker, Crossed, Hit, InteriorId, RayClass, World};
 use std::sync::Arc;
 
 /// Stands for the length of a ray that meets nothing.
@@ -72,6 +72,8 @@ pub struct Tracer<'w> {
     pub(super) lit: Vec<Option<Rgb>>,
     /// What stopped the last shadow ray towards each light.
     pub(super) blockers: Vec<Blocker>,
+    /// What the shadow ray under way crosses, as far as that is known.
+    pub(super) crossed: Crossed,
     /// Whether light is looked for from a place in media.
     pub(super) scatters: bool,
     /// How much light a shadow ray may bring to the picture, if that is known.
@@ -149,6 +151,7 @@ impl<'w> Tracer<'w> {
             media_of: Vec::new(),
             air: (0, 0),
             lit: Vec::new(),
+            crossed: Crossed::default(),
             blockers: vec![Blocker::default(); world.lights.len() + world.group_lights.len()],
             scatters: false,
             shadow_worth: Worth::UNKNOWN,

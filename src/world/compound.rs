@@ -116,7 +116,7 @@ impl Compound {
     }
 
     /// The part of `range` where there may be anything of an intersection.
-    fn within(&self, probe: &Probe, range: Range) -> Option<Range> {
+    pub fn within(&self, probe: &Probe, range: Range) -> Option<Range> {
         match &self.around {
             Some(around) => probe.within(around, range),
             None => Some(range),

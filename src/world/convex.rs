@@ -1,7 +1,7 @@
 //! Intersections of convex shapes and of what lies outside of convex shapes: where they are plainly met, a few
 //! comparisons tell. Wherever two surfaces come close to each other on the ray, it is left to the careful way.
 
-use super::compound::Compound;
+use super::compound::{Compound, Op};
 use super::geometry::{Found, Geometry, Solid};
 use super::intersection::margin;
 use super::probe::Probe;
@@ -98,6 +98,39 @@ impl Chords {
         margin.is_finite() && (a.t - b.t).abs() <= margin
     }
 
+    /// Appends all crossings; false if they are not plain.
+    fn all(&self, range: Range, all: &mut Vec<Found>) -> bool {
+        let Common { enter, leave, enter_before, leave_behind } = self.common;
+        if self.are_close(enter, leave) {
+            return false;
+        }
+        if enter.t > leave.t {
+            return true;
+        }
+        let mut take = |end: End| all.push(Found::on_part(end.t, end.leaf, end.local, end.part));
+        for (end, alone) in [(enter, enter.t - enter_before), (leave, leave_behind - leave.t)] {
+            if range.contains(end.t) {
+                match self.stands(end.t, usize::MAX) {
+                    Some(false) => {}
+                    Some(true) if alone > margin(self.size, end.t) => take(end),
+                    _ => return false,
+                }
+            }
+        }
+        for (i, &(enter, leave)) in self.holes.iter().enumerate() {
+            for end in [enter, leave] {
+                if range.contains(end.t) {
+                    match (self.is_common(end.t), self.stands(end.t, i)) {
+                        (Some(false), _) | (_, Some(false)) => {}
+                        (Some(true), Some(true)) => take(end),
+                        _ => return false,
+                    }
+                }
+            }
+        }
+        true
+    }
+
     fn nearest(&self, range: Range) -> Glance {
         let Common { enter, leave, enter_before, leave_behind } = self.common;
         if self.are_close(enter, leave) {
@@ -141,36 +174,64 @@ impl Chords {
 impl Compound {
     /// The nearest crossing of an intersection inside `range`, where that is plain.
     pub fn glance(&self, geometry: &Geometry, probe: &Probe, range: Range) -> Glance {
+        match self.chords(geometry, probe, range) {
+            Ok(chords) => chords.nearest(range),
+            Err(glance) => glance,
+        }
+    }
+
+    /// Appends all crossings of an intersection inside `range`, in no order; false if they are not plain.
+    pub fn plain_crossings(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        all: &mut Vec<Found>,
+    ) -> bool {
+        if self.op != Op::Intersection || !self.gates.is_empty() {
+            return false;
+        }
+        let Some(range) = self.within(probe, range) else { return true };
+        match self.chords(geometry, probe, range) {
+            Ok(chords) => chords.all(range, all),
+            Err(Glance::Nothing) => true,
+            Err(_) => false,
+        }
+    }
+
+    /// What the children say, unless that tells already what there is.
+    #[inline]
+    fn chords(&self, geometry: &Geometry, probe: &Probe, range: Range) -> Result<Chords, Glance> {
         if !self.clips.is_empty() {
-            return Glance::Unsure;
+            return Err(Glance::Unsure);
         }
         let mut chords = Chords { common: Common::line(), holes: SmallVec::new(), size: probe.size() };
         for child in &self.children {
-            let Solid::Leaf(leaf) = child.solid else { return Glance::Unsure };
+            let Solid::Leaf(leaf) = child.solid else { return Err(Glance::Unsure) };
             if child.tight && !probe.meets(&child.reach, range) {
                 if child.extent.outside {
                     continue;
                 }
-                return Glance::Nothing;
+                return Err(Glance::Nothing);
             }
             let Some((chord, length)) = geometry.chord(child.solid, probe.ray, range) else {
-                return Glance::Unsure;
+                return Err(Glance::Unsure);
             };
             let end = |(local, part): (f64, u32)| End { t: local / length, local, part, leaf };
             let (enter, leave) = (end(chord.span.enter), end(chord.span.leave));
             if enter.t > leave.t {
                 // Nothing of the line is in the span.
                 if !chord.beyond {
-                    return Glance::Nothing;
+                    return Err(Glance::Nothing);
                 }
             } else if chords.are_close(enter, leave) {
-                return Glance::Unsure;
+                return Err(Glance::Unsure);
             } else if chord.beyond {
                 chords.holes.push((enter, leave));
             } else {
                 chords.common.cut(enter, leave);
             }
         }
-        chords.nearest(range)
+        Ok(chords)
     }
 }

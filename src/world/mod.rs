@@ -8,6 +8,7 @@ mod ball;
 mod between;
 mod compound;
 mod convex;
+mod crossed;
 mod flatten;
 mod geometry;
 mod hit;
@@ -24,6 +25,7 @@ mod tests;
 
 pub use accel::Accel;
 pub use between::Between;
+pub use crossed::{Crossed, Next};
 pub use hit::{Hit, InteriorId, Obstacle, PhotonRules, PhotonTarget, RayClass, Surface, SurfaceLayer};
 pub use query::ObjectQuery;
 pub use sight::Sight;

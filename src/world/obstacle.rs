@@ -3,6 +3,7 @@
 use super::accel::Finite;
 use super::ball::Met;
 use super::between::Between;
+use super::crossed::Crossed;
 use super::geometry::{Found, Geometry, Item, NONE, Nearest, Solid};
 use super::hit::{Obstacle, RayClass};
 use crate::math::{AnyHit, Range, Ray, Vec3};
@@ -19,24 +20,54 @@ impl Geometry {
     /// [`Geometry::obstacle`] for a ray in a shaft.
     pub fn obstacle_between(&self, between: &Between, ray: &Ray, range: Range) -> Obstacle<Found> {
         let mut nobody = NONE;
-        self.obstacle_among(between, (&between.infinite, &[]), ray, range, &mut nobody)
+        self.obstacle_among(between, (&between.infinite, &[]), ray, range, &mut nobody, None)
     }
 
     /// What stands in the way of light inside `range`. `last` remembers which opaque finite object did by
     /// its place, and it is asked first: neighbouring rays are mostly stopped by the same object.
     pub fn obstacle(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
         match &self.search {
-            Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last),
-            _ => self.obstacle_treeless(ray, range, last),
+            Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last, None),
+            _ => self.obstacle_treeless(ray, range, last, None),
         }
     }
 
+    /// The same, and all that the ray crosses where nothing stops it.
+    pub fn obstacle_and_all(
+        &self,
+        ray: &Ray,
+        range: Range,
+        last: &mut u32,
+        crossed: &mut Crossed,
+    ) -> Obstacle<Found> {
+        crossed.begin();
+        let met = match &self.search {
+            Finite::Tree(tree) => self.obstacle_past(tree, ray, range, last, Some(crossed)),
+            _ => self.obstacle_treeless(ray, range, last, Some(crossed)),
+        };
+        let settled = match met {
+            Obstacle::Opaque => return Obstacle::Opaque,
+            Obstacle::Filter(other) => crossed.settle(ray, Some(other)),
+            Obstacle::None => crossed.settle(ray, None),
+        };
+        settled.unwrap_or_else(|| {
+            crossed.forget();
+            self.obstacle(ray, range, last)
+        })
+    }
+
     #[inline(never)]
-    fn obstacle_treeless(&self, ray: &Ray, range: Range, last: &mut u32) -> Obstacle<Found> {
+    fn obstacle_treeless(
+        &self,
+        ray: &Ray,
+        range: Range,
+        last: &mut u32,
+        crossed: Option<&mut Crossed>,
+    ) -> Obstacle<Found> {
         match &self.search {
             Finite::Tree(_) => Obstacle::None,
-            Finite::Grid(grid) => self.obstacle_past(grid, ray, range, last),
-            Finite::List(list) => self.obstacle_past(list, ray, range, last),
+            Finite::Grid(grid) => self.obstacle_past(grid, ray, range, last, crossed),
+            Finite::List(list) => self.obstacle_past(list, ray, range, last, crossed),
         }
     }
 
@@ -48,11 +79,12 @@ impl Geometry {
         ray: &Ray,
         range: Range,
         last: &mut u32,
+        crossed: Option<&mut Crossed>,
     ) -> Obstacle<Found> {
         if *last != NONE && self.is_met_at(*last, ray, range) {
             return Obstacle::Opaque;
         }
-        self.obstacle_among(finite, (&self.infinite, &self.planes), ray, range, last)
+        self.obstacle_among(finite, (&self.infinite, &self.planes), ray, range, last, crossed)
     }
 
     /// Whether the finite object at a place is met.
@@ -68,7 +100,8 @@ impl Geometry {
 
     /// `planes` says which of the infinite objects are planes, as far as that is known.
     ///
-    /// Leaves the finite object `last` out, which has been asked, and notes another one there that stops the ray.
+    /// Leaves the finite object `last` out, which has been asked, and notes another one there that stops the ray. What
+    /// `crossed` takes is left out, too.
     #[inline(always)]
     fn obstacle_among(
         &self,
@@ -77,6 +110,7 @@ impl Geometry {
         ray: &Ray,
         range: Range,
         last: &mut u32,
+        mut crossed: Option<&mut Crossed>,
     ) -> Obstacle<Found> {
         let skipped = *last;
         let mut filter = Nearest::of(RayClass::Filtered);
@@ -84,6 +118,11 @@ impl Geometry {
         // Whether it is met may be known already.
         let mut stops = |item: &Item, place: u32, met: Option<bool>| {
             if !item.shades {
+                if let Some(crossed) = &mut crossed
+                    && crossed.take(self, item, ray, range)
+                {
+                    return false;
+                }
                 max = self.nearer(&mut filter, item, ray, Range::new(range.min, max));
                 return false;
             }
