@@ -5,16 +5,16 @@ use super::map::{Metric, Part, PhotonMap};
 impl PhotonMap {
     /// Whether at least so many photons lie within `radius`.
     pub(super) fn has(&self, count: usize, metric: &Metric, radius: f64) -> bool {
-        !self.is_empty() && self.count_in(0, metric, radius * radius, count) >= count
+        let square = radius * radius;
+        !self.is_empty()
+            && self.parts[0].distance(metric.point) < square
+            && self.count_in(0, metric, square, count) >= count
     }
 
-    /// Photons of a part less than a squared distance away, or some of them if that is enough. Parts that lie
-    /// inside as a whole count at once.
+    /// Photons of a part less than a squared distance away, or some of them if that is enough; the part's box is no
+    /// farther. Parts that lie inside as a whole count at once.
     fn count_in(&self, at: usize, metric: &Metric, square: f64, enough: usize) -> usize {
         let part = &self.parts[at];
-        if part.distance(metric.point) >= square {
-            return 0;
-        }
         if part.farthest_square(metric) < square {
             return part.count as usize;
         }
@@ -24,11 +24,10 @@ impl PhotonMap {
         }
         let middle = (part.first + (part.count - 1) / 2) as usize;
         let mut count = usize::from(is_inside(&middle));
-        let (low, high) = (at + 1, part.upper as usize);
-        let distance = |child: usize| self.parts[child].distance(metric.point);
-        let order = if distance(low) <= distance(high) { [low, high] } else { [high, low] };
-        for child in order {
-            if count >= enough {
+        let distance = |child: usize| (self.parts[child].distance(metric.point), child);
+        let (low, high) = (distance(at + 1), distance(part.upper as usize));
+        for (away, child) in if low.0 <= high.0 { [low, high] } else { [high, low] } {
+            if count >= enough || away >= square {
                 break;
             }
             count += self.count_in(child, metric, square, enough - count);

@@ -102,35 +102,43 @@ impl PhotonMap {
         if self.gathers_otherwise(&Metric::new(point, normal), radius, most, found) {
             return;
         }
-        if let Some((around, complete)) = late.around(point, radius, most)
-            && self.gather_in(around, complete, &Metric::new(point, normal), radius, found)
-        {
+        let metric = Metric::new(point, normal);
+        let known = match late.around(point, radius, most) {
+            Some((around, complete)) => self.gather_in(around, complete, &metric, radius, found),
+            None => Answer::Short,
+        };
+        if known == Answer::Found {
             return;
         }
-        let metric = Metric::new(point, normal);
         let near = late.last.map(|(p, r)| (r, (p - point).length())).filter(|(r, away)| away < r);
-        self.gather_from(
-            &metric,
-            radius,
-            most,
-            near.map_or(f64::INFINITY, |(r, away)| GUESS * (r + away)),
-            found,
-        );
-        late.last = Some((point, found.radius));
-        if near.is_some_and(|(r, away)| away < NEAR * r) {
-            let is_full = found.members.len() >= most;
-            let reach = if is_full { BALL * found.radius } else { SPARSE_BALL * radius };
-            let radius = if is_full { found.radius } else { f64::INFINITY };
-            let mut ranges = Vec::new();
-            self.near_ranges(0, point, reach * reach, &mut ranges);
-            let count = ranges.iter().map(Range::len).sum();
-            if count <= CROWDED * most {
-                late.keep(Neighbourhood { center: point, reach, radius, most, ranges, count });
+        if known == Answer::Short && near.is_some_and(|(r, away)| away < NEAR * r) {
+            let new = self.neighbourhood(point, near.map_or(radius, |n| n.0), radius, most);
+            let answer = new.as_ref().map(|new| self.gather_in(new, new.reach, &metric, radius, found));
+            if let Some(mut new) = new
+                && answer == Some(Answer::Found)
+            {
+                new.radius = if found.members.len() >= most { found.radius } else { f64::INFINITY };
+                late.keep(new);
+                late.last = Some((point, found.radius));
+                return;
             }
         }
+        let guess = near.map_or(f64::INFINITY, |(r, away)| GUESS * (r + away));
+        self.gather_from(&metric, radius, most, guess, found);
+        late.last = Some((point, found.radius));
     }
 
-    /// The search in a neighbourhood, which is complete as far as `complete`; false if the tree has to be searched.
+    /// The photons around a point, where searches seem to go `expected` far; `None` if they are too many.
+    fn neighbourhood(&self, center: Vec3, expected: f64, radius: f64, most: usize) -> Option<Neighbourhood> {
+        let reach = if expected < radius { BALL * expected } else { SPARSE_BALL * radius };
+        let mut ranges = Vec::new();
+        self.near_ranges(0, center, reach * reach, &mut ranges);
+        let count = ranges.iter().map(Range::len).sum();
+        let new = Neighbourhood { center, reach, radius: f64::INFINITY, most, ranges, count };
+        (count <= CROWDED * most).then_some(new)
+    }
+
+    /// The search in a neighbourhood, which is complete as far as `complete`.
     fn gather_in(
         &self,
         around: &Neighbourhood,
@@ -138,7 +146,7 @@ impl PhotonMap {
         metric: &Metric,
         radius: f64,
         found: &mut Nearby,
-    ) -> bool {
+    ) -> Answer {
         found.radius = radius;
         let limit = radius.min(complete);
         let search = BallSearch { map: self, metric, around, square: limit * limit };
@@ -148,14 +156,15 @@ impl PhotonMap {
     /// Ranges of photons that a ball may hold, those side by side as one.
     fn near_ranges(&self, at: usize, center: Vec3, square: f64, ranges: &mut Vec<Range<u32>>) {
         let part = &self.parts[at];
-        if part.distance(center) > square {
+        let (nearest, farthest) = part.distances(center);
+        if nearest > square {
             return;
         }
         let mut add = |first: u32, end: u32| match ranges.last_mut() {
             Some(last) if last.end == first => last.end = end,
             _ => ranges.push(first..end),
         };
-        if part.upper == 0 {
+        if part.upper == 0 || farthest <= square {
             add(part.first, part.first + part.count);
             return;
         }
@@ -171,6 +180,16 @@ impl PhotonMap {
     }
 }
 
+/// What comes of a search in a neighbourhood.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Answer {
+    Found,
+    /// It would have to go farther.
+    Short,
+    /// Whether the search through the tree finds the same is not sure.
+    Doubtful,
+}
+
 /// One search.
 struct BallSearch<'a> {
     map: &'a PhotonMap,
@@ -181,22 +200,23 @@ struct BallSearch<'a> {
 }
 
 impl BallSearch<'_> {
-    /// False if the tree has to be searched. `is_whole` if the search asked for goes no farther.
-    fn run(&self, is_whole: bool, found: &mut Nearby) -> bool {
+    /// `is_whole` if the search asked for goes no farther.
+    fn run(&self, is_whole: bool, found: &mut Nearby) -> Answer {
         let scale = BUCKETS as f32 / self.square as f32;
         let counts = self.measure(scale, &mut found.scratch.squares);
         let most = self.around.most;
         let sure: u32 = counts[..BUCKETS - 1].iter().sum();
         let error = self.error();
         if sure as usize <= most {
+            if !is_whole {
+                return Answer::Short;
+            }
             let rim = (self.square - error) as f32..(self.square + error) as f32;
             let inner = self.collect(rim, found);
             let Nearby { scratch, members, .. } = found;
             members.extend(scratch.rim.iter().filter(|r| r.0 < self.square));
-            return is_whole
-                && inner <= most
-                && members.len() <= most
-                && self.is_certain(members, self.square);
+            let fits = inner <= most && members.len() <= most;
+            return if fits { self.certain(members, self.square) } else { Answer::Doubtful };
         }
         let (mut last, mut rank) = (0, most as u32);
         while rank > counts[last] {
@@ -209,19 +229,19 @@ impl BallSearch<'_> {
         let Nearby { scratch, members, radius } = found;
         let rim = &mut scratch.rim;
         if inner >= most || inner + rim.len() < most {
-            return false;
+            return Answer::Doubtful;
         }
         let missing = most - inner;
         let (_, &mut (farthest, _), others) =
             rim.select_nth_unstable_by(missing - 1, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         // Of equal ones the tree keeps those that it meets first.
         if others.iter().any(|o| o.0 == farthest) {
-            return false;
+            return Answer::Doubtful;
         }
         rim[..missing].sort_unstable_by_key(|r| r.1);
         members.extend_from_slice(&rim[..missing]);
         *radius = farthest.sqrt();
-        self.is_certain(members, farthest)
+        self.certain(members, farthest)
     }
 
     /// Bound on the error of squared distances in single precision.
@@ -275,8 +295,9 @@ impl BallSearch<'_> {
     }
 
     /// Whether the search through the tree, which ends at squared distance `limit`, passes none of these by.
-    fn is_certain(&self, members: &[(f64, u32)], limit: f64) -> bool {
-        members.iter().all(|&(_, place)| self.map.is_met(place as usize, self.metric.point, limit))
+    fn certain(&self, members: &[(f64, u32)], limit: f64) -> Answer {
+        let is_met = |&(_, place): &(f64, u32)| self.map.is_met(place as usize, self.metric.point, limit);
+        if members.iter().all(is_met) { Answer::Found } else { Answer::Doubtful }
     }
 }
 
@@ -302,7 +323,7 @@ mod tests {
             let metric = Metric::new(point, normal);
             let known = late.around(point, radius, most);
             if !known.is_some_and(|(around, complete)| {
-                map.gather_in(around, complete, &metric, radius, &mut quick)
+                map.gather_in(around, complete, &metric, radius, &mut quick) == Answer::Found
             }) {
                 map.gather_near(point, radius, most, normal, &mut quick, &mut late);
                 continue;

@@ -310,6 +310,14 @@ impl Part {
         (self.low.as_dvec3() - p).abs().max((self.high.as_dvec3() - p).abs()).length()
     }
 
+    /// Squared distances of the nearest and of the farthest point of the box from `p`.
+    #[inline]
+    pub fn distances(&self, p: Vec3) -> (f64, f64) {
+        let (low, high) = (self.low.as_dvec3() - p, p - self.high.as_dvec3());
+        let farthest = low.min(high);
+        (low.max(high).max(Vec3::ZERO).length_squared(), farthest.length_squared())
+    }
+
     /// Squared distance of the box from `p`.
     #[inline]
     pub fn distance(&self, p: Vec3) -> f64 {
