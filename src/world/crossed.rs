@@ -114,3 +114,69 @@ impl World {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::flatten::Flattened;
+    use super::super::geometry::NONE;
+    use super::super::tests::{csg, shape};
+    use super::super::{Accel, RayClass};
+    use super::*;
+    use crate::math::Vec3;
+    use crate::scene::CsgOp;
+    use crate::shape::{Cuboid, Plane, Sphere};
+    use std::sync::Arc;
+
+    /// Shells, a box, a plane, twins, and a merge, whose crossings are not plain; all let light through.
+    fn geometry() -> Geometry {
+        let ball = |x: f64, r: f64| shape(Sphere::new(Vec3::X * x, r));
+        let cube = shape(Cuboid::new(Vec3::splat(-0.5), Vec3::splat(0.3)));
+        let objects = [
+            csg(CsgOp::Difference, &[&ball(0.0, 2.0), &ball(0.0, 1.5)]),
+            csg(CsgOp::Difference, &[&ball(0.2, 1.8), &ball(0.1, 1.4), &cube]),
+            csg(CsgOp::Merge, &[&ball(2.0, 0.5), &ball(2.4, 0.5)]),
+            cube,
+            ball(-3.0, 0.4),
+            ball(-3.0, 0.4),
+            shape(Plane::new(Vec3::Y, -0.7).expect("a plane")),
+        ];
+        let mut geometry = Flattened::new(&objects.map(Arc::new), Accel::ByScene).geometry;
+        for item in geometry.finite.iter_mut().chain(&mut geometry.infinite) {
+            (item.shades, item.hidden) = (false, 0);
+        }
+        geometry
+    }
+
+    #[test]
+    fn all_is_what_is_met_one_by_one() {
+        let (geometry, mut random) = (geometry(), crate::math::bvh::tests::Random::new(5));
+        let (mut crossed, mut complete, mut known) = (Crossed::default(), 0, 0);
+        for i in 0..3000 {
+            let (origin, towards) = (random.vector(5.0), random.vector(3.0));
+            let ray = Ray::new(origin, (towards - origin).normalize_or(Vec3::X));
+            let range = Range::new(0.0, if i % 2 == 0 { f64::INFINITY } else { 5.0 * random.unit() });
+            let mut from = range;
+            let all: Vec<Found> = std::iter::from_fn(|| {
+                let found = geometry.nearest(&ray, from, RayClass::Filtered)?;
+                from.min = found.t.next_up();
+                Some(found)
+            })
+            .collect();
+            let same = |a: &Found, b: &Found| {
+                (a.leaf, a.crossing.part) == (b.leaf, b.crossing.part) && (a.t - b.t).abs() < 1e-12
+            };
+            match geometry.obstacle_and_all(&ray, range, &mut NONE.clone(), &mut crossed) {
+                Obstacle::Filter(first) => assert!(same(&first, &all[0]), "{ray:?}"),
+                other => assert!(all.is_empty() && matches!(other, Obstacle::None), "{ray:?}"),
+            }
+            assert!(crossed.found.iter().zip(&all).all(|(a, b)| same(a, b)), "{ray:?} {crossed:?} {all:?}");
+            assert!(crossed.found.len() <= all.len());
+            if crossed.complete {
+                assert_eq!(crossed.found.len(), all.len(), "{ray:?}");
+            }
+            complete += usize::from(crossed.complete && all.len() > 2);
+            known += crossed.found.len();
+        }
+        assert!(complete > 500 && known > 5000, "{complete} {known}");
+    }
+}

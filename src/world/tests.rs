@@ -14,11 +14,11 @@ use crate::shape::{Cuboid, Plane, Shape, Sphere};
 use proptest::prelude::*;
 use std::sync::Arc;
 
-fn shape(s: impl Shape + 'static) -> Object {
+pub(super) fn shape(s: impl Shape + 'static) -> Object {
     Object::new(Body::Shape(Arc::new(s)))
 }
 
-fn csg(op: CsgOp, children: &[&Object]) -> Object {
+pub(super) fn csg(op: CsgOp, children: &[&Object]) -> Object {
     let children = children.iter().map(|&c| Arc::new(c.clone())).collect();
     Object::new(Body::Csg { op, children: Arc::new(children) })
 }

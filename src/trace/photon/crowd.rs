@@ -6,9 +6,9 @@ impl PhotonMap {
     /// Whether at least so many photons lie within `radius`.
     pub(super) fn has(&self, count: usize, metric: &Metric, radius: f64) -> bool {
         let square = radius * radius;
-        !self.is_empty()
-            && self.parts[0].distance(metric.point) < square
-            && self.count_in(0, metric, square, count) >= count
+        let touches = !self.is_empty() && self.parts[0].distance(metric.point) < square;
+        let found = if touches { self.count_in(0, metric, square, count) } else { 0 };
+        !self.is_empty() && found >= count
     }
 
     /// Photons of a part less than a squared distance away, or some of them if that is enough; the part's box is no
