@@ -12,7 +12,7 @@ impl Pattern for Granite {
         let mut noise = [0.0; 6];
         octaves(p, 4.0, 2.0, setting.noise, &mut noise);
         let (mut sum, mut weight) = (0.0, 1.0);
-        for n in noise {
+        for &n in &noise {
             let folded = if original { (0.5 - n).abs() } else { (1.0 - 2.0 * n).abs().min(0.5) };
             sum += folded * weight;
             weight *= 0.5;

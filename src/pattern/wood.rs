@@ -13,9 +13,9 @@ impl Pattern for Wood {
         if amount.x == 0.0 && amount.y == 0.0 {
             return p.x.hypot(p.y);
         }
-        let shift = setting.turbulence.vector(p);
-        let x = p.x + (TAU * (p.x + shift.x) * amount.x).sin();
-        let y = p.y + (TAU * (p.y + shift.y) * amount.y).sin();
+        let [dx, dy] = setting.turbulence.planar(p);
+        let x = p.x + (TAU * (p.x + dx) * amount.x).sin();
+        let y = p.y + (TAU * (p.y + dy) * amount.y).sin();
         x.hypot(y)
     }
 

@@ -27,7 +27,7 @@ impl Pattern for Wrinkles {
         let mut noise = [0.0; OCTAVES];
         octaves(p, 1.0, 2.0, setting.noise, &mut noise);
         let (mut sum, mut weight) = (0.0, 1.0);
-        for n in noise {
+        for &n in &noise {
             sum += wrinkled(n, setting.noise) * weight;
             weight *= 0.5;
         }

@@ -82,6 +82,12 @@ pub fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute
     fastest!(VECTOR, vector_octaves(p, [lambda, omega], count, absolute))
 }
 
+/// The components x and y of [`vector_octaves`], without absolute values.
+#[inline]
+pub fn planar_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize) -> [f64; 2] {
+    fastest!(PLANAR, planar_octaves(p, [lambda, omega], count))
+}
+
 impl NoiseGenerator {
     /// The noise that a lattice's sum stands for.
     #[inline(always)]

@@ -24,6 +24,12 @@ pub fn octaves(p: Vec3, [first, lambda]: [f64; 2], generator: NoiseGenerator, ou
     }
 }
 
+/// See [`planar_octaves`](super::planar_octaves).
+pub fn planar_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize) -> [f64; 2] {
+    let sum = vector_octaves(p, [lambda, omega], count, false);
+    [sum.x, sum.y]
+}
+
 /// See [`vector_octaves`](super::vector_octaves).
 pub fn vector_octaves(p: Vec3, [lambda, omega]: [f64; 2], count: usize, absolute: bool) -> Vec3 {
     let (mut sum, mut scale, mut weight) = (Vec3::ZERO, 1.0, 1.0);

@@ -1,4 +1,4 @@
-use super::{NoiseGenerator, octaves, vector_octaves};
+use super::{NoiseGenerator, octaves, planar_octaves, vector_octaves};
 use crate::math::Vec3;
 
 /// Root of the mean square of a component of vector noise.
@@ -40,6 +40,12 @@ impl Turbulence {
     #[inline]
     pub fn vector(&self, p: Vec3) -> Vec3 {
         vector_octaves(p, [self.lambda, self.omega], self.count(), false)
+    }
+
+    /// Its components x and y.
+    #[inline]
+    pub fn planar(&self, p: Vec3) -> [f64; 2] {
+        planar_octaves(p, [self.lambda, self.omega], self.count())
     }
 
     /// How far points are mostly displaced: the root of the mean square.

@@ -30,10 +30,12 @@ pub(super) struct Cells<const N: usize, const PLACES: usize> {
 }
 
 pub(super) type ScalarCells = Cells<1, 128>;
+pub(super) type PlanarCells = Cells<2, 64>;
 pub(super) type VectorCells = Cells<3, 64>;
 
 thread_local! {
     pub(super) static SCALAR: RefCell<ScalarCells> = const { RefCell::new(Cells::NONE) };
+    pub(super) static PLANAR: RefCell<PlanarCells> = const { RefCell::new(Cells::NONE) };
     pub(super) static VECTOR: RefCell<VectorCells> = const { RefCell::new(Cells::NONE) };
 }
 
@@ -198,14 +200,19 @@ impl Place {
         _mm256_cvtsd_f64(between(self.weights[2], columns, _mm256_unpackhi_pd(columns, columns)))
     }
 
-    /// Three components, in lanes 0, 2 and 1.
+    /// Two or three components, in lanes 0, 2 and 1.
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn all_blended(&self, [a, b, c]: &[Corners; 3]) -> __m256d {
-        let (a, b, c) = (self.rows(a), self.rows(b), self.rows(c));
+    fn all_blended<const N: usize>(&self, corners: &[Corners; N]) -> __m256d {
+        let (a, b) = (self.rows(&corners[0]), self.rows(&corners[1]));
         let (low, high) = (_mm256_permute2f128_pd::<0x20>(a, b), _mm256_permute2f128_pd::<0x31>(a, b));
         let ab = between(self.weights[1], low, high);
-        let c = between(self.weights[1], c, _mm256_permute2f128_pd::<0x31>(c, c));
+        let c = if N > 2 {
+            let c = self.rows(&corners[2]);
+            between(self.weights[1], c, _mm256_permute2f128_pd::<0x31>(c, c))
+        } else {
+            ab
+        };
         between(self.weights[2], _mm256_unpacklo_pd(ab, c), _mm256_unpackhi_pd(ab, c))
     }
 }
@@ -328,12 +335,9 @@ pub(super) fn octaves(
         }
         for (i, value) in out.iter_mut().enumerate() {
             let corners = cells.at(four.key(i));
-            *value = four.place(i).blended(corners);
+            *value = generator.level(four.place(i).blended(corners));
         }
         scale = next;
-    }
-    for value in out {
-        *value = generator.level(*value);
     }
 }
 
@@ -355,12 +359,39 @@ pub(super) fn vector_octaves(
     count: usize,
     absolute: bool,
 ) -> Vec3 {
-    let (mut scale, mut weight) = (1.0, 1.0);
     let signs = if absolute { _mm256_set1_pd(-0.0) } else { _mm256_setzero_pd() };
+    vector(octave_sum(cells, [x, y, z], [lambda, omega], count, signs))
+}
+
+/// See [`planar_octaves`](super::planar_octaves).
+#[target_feature(enable = "avx2")]
+pub(super) fn planar_octaves(
+    cells: &mut PlanarCells,
+    x: f64,
+    y: f64,
+    z: f64,
+    [lambda, omega]: [f64; 2],
+    count: usize,
+) -> [f64; 2] {
+    let sum = octave_sum(cells, [x, y, z], [lambda, omega], count, _mm256_setzero_pd());
+    [_mm256_cvtsd_f64(sum), _mm_cvtsd_f64(_mm256_extractf128_pd::<1>(sum))]
+}
+
+/// A sum of octaves, as [`Place::all_blended`] has them, without the bits `signs`.
+#[target_feature(enable = "avx2")]
+#[inline]
+fn octave_sum<const N: usize, const PLACES: usize>(
+    cells: &mut Cells<N, PLACES>,
+    p: [f64; 3],
+    [lambda, omega]: [f64; 2],
+    count: usize,
+    signs: __m256d,
+) -> __m256d {
+    let (mut scale, mut weight) = (1.0, 1.0);
     let (mut sum, mut four) = (_mm256_setzero_pd(), Four::default());
     for done in (0..count).step_by(4) {
         let (scales, next) = scales(scale, lambda);
-        four.look::<false>([x, y, z], scales);
+        four.look::<false>(p, scales);
         for i in 0..(count - done).min(4) {
             let corners = cells.at(four.key(i));
             let term = _mm256_andnot_pd(signs, four.place(i).all_blended(corners));
@@ -369,7 +400,7 @@ pub(super) fn vector_octaves(
         }
         scale = next;
     }
-    vector(sum)
+    sum
 }
 
 /// From lanes 0, 2 and 1.
@@ -419,6 +450,9 @@ mod tests {
                 let b = scalar::vector_octaves(p, [1.9, 0.6], 7, absolute);
                 assert_eq!(bits(a), bits(b), "{p}");
             }
+            let a = super::super::planar_octaves(p, [1.9, 0.6], 7);
+            let b = scalar::planar_octaves(p, [1.9, 0.6], 7);
+            assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits), "{p}");
         }
     }
 }
