@@ -98,7 +98,7 @@ fn lights_in(object: &Object) -> usize {
 fn bounds(object: &Object) -> Aabb {
     let own = match &object.body {
         Body::Light(_) => return Aabb::INFINITE,
-        Body::Shape(shape) if shape.has_extent() => shape.bounds(),
+        Body::Shape(shape) if shape.has_extent() => shape.extent(),
         Body::Shape(_) => Aabb::INFINITE,
         Body::Csg { op: CsgOp::Difference, children } => {
             common(children.iter().enumerate().map(|(i, child)| (&**child, i > 0)))

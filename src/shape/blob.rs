@@ -31,6 +31,9 @@ pub struct Blob {
     components: Vec<BlobComponent>,
     threshold: f64,
     tree: Option<Bvh>,
+    /// Around the components that count.
+    reach: Aabb,
+    /// Around the surface.
     extent: Aabb,
     /// Length of the first part of a ray that is searched; 0 if rays are searched as a whole.
     window: f64,
@@ -42,6 +45,12 @@ type Stretches = SmallVec<[Stretch; 16]>;
 
 /// From this many components on a ray is searched part by part.
 const PARTS_FROM: usize = 64;
+
+/// Relative room for the roundings of a bound on the sum of fields.
+const ROOM: f64 = 1e-12;
+
+/// Steps to the sides of the box around the surface.
+const HALVINGS: usize = 20;
 
 /// One component in the blob.
 #[derive(Clone, Debug)]
@@ -98,6 +107,15 @@ impl BlobComponent {
 
     fn field(&self, p: Vec3) -> f64 {
         self.nearness(p).map_or(0.0, |(q, _)| self.strength * q * q)
+    }
+
+    /// How far the axis goes in a direction along one of the coordinates, how much further the field does, and its
+    /// strength.
+    fn beyond(&self, axis: usize, sign: f64) -> [f64; 3] {
+        let m = self.from_unit.matrix3;
+        let half = Vec3::new(m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]).length();
+        let ends = [0.0, self.length].map(|z| sign * self.from_unit.transform_point3(z * Vec3::Z)[axis]);
+        [ends[0].max(ends[1]), half * (1.0 + 8.0 * EPSILON), self.strength]
     }
 
     fn bounds(&self) -> Aabb {
@@ -172,9 +190,11 @@ impl Stretch {
         (from < to).then_some(Self { from, to, peak, bend, middle, strength })
     }
 
-    /// No value on the stretch is larger.
-    fn most(&self) -> f64 {
-        (self.strength * self.peak * self.peak).max(0.0)
+    /// No value between two places on the stretch is larger, but for rounding.
+    fn most(&self, from: f64, to: f64) -> f64 {
+        let beside = self.middle.max(from).min(to) - self.middle;
+        let nearness = (self.peak - self.bend * beside * beside).max(0.0);
+        (self.strength * nearness * nearness).max(0.0)
     }
 
     /// The field as a polynomial in the distance from `t`.
@@ -186,16 +206,48 @@ impl Stretch {
     }
 }
 
+/// The part of `reach`, a box around all fields that count, in which they may sum up to the threshold: beyond each side the
+/// sum of the largest values that each has there is below it.
+fn around_surface(components: &[BlobComponent], threshold: f64, reach: Aabb) -> Aabb {
+    if threshold <= 0.0 || !reach.is_finite() || reach.is_empty() {
+        return reach;
+    }
+    let least = threshold * (1.0 - ROOM);
+    let mut extent = reach;
+    for (axis, upper) in [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)] {
+        let sign = if upper { 1.0 } else { -1.0 };
+        let (start, end) = if upper { (reach.min, reach.max) } else { (reach.max, reach.min) };
+        let fields: Vec<[f64; 3]> =
+            components.iter().filter(|c| c.strength > 0.0).map(|c| c.beyond(axis, sign)).collect();
+        let most = |plane: f64| -> f64 {
+            let most_of = |&[at, half, strength]: &[f64; 3]| {
+                let beside = ((sign * plane - at) / half).max(0.0);
+                let nearness = (1.0 - beside * beside).max(0.0);
+                strength * nearness * nearness
+            };
+            fields.iter().map(most_of).sum()
+        };
+        let (mut within, mut beyond) = (start[axis], end[axis]);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (within + beyond);
+            if most(middle) < least { beyond = middle } else { within = middle }
+        }
+        if upper { extent.max[axis] = beyond } else { extent.min[axis] = beyond }
+    }
+    if extent.is_empty() { Aabb::EMPTY } else { extent }
+}
+
 impl Blob {
     pub fn new(components: Vec<BlobComponent>, threshold: f64) -> Self {
         let boxes: Vec<Aabb> = components.iter().map(BlobComponent::bounds).collect();
         let positive = components.iter().zip(&boxes).filter(|(c, _)| c.strength > 0.0 || threshold < 0.0);
-        let extent = positive.fold(Aabb::EMPTY, |e, (_, b)| e.union(*b));
+        let reach = positive.fold(Aabb::EMPTY, |e, (_, b)| e.union(*b));
+        let extent = around_surface(&components, threshold, reach);
         let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes, Quality::Best));
         let textured = components.iter().any(|c| c.texture.is_some());
         let mean = boxes.iter().map(|b| b.size().max_element()).sum::<f64>() / boxes.len().max(1) as f64;
         let window = if components.len() >= PARTS_FROM { mean } else { 0.0 };
-        Self { components, threshold, tree, extent, window, textured }
+        Self { components, threshold, tree, reach, extent, window, textured }
     }
 
     /// Calls `visit` with every component that may reach `p`.
@@ -231,26 +283,22 @@ impl Blob {
         let shift = (self.extent.center() - ray.origin).dot(ray.dir);
         let local = Ray::new(ray.at(shift), ray.dir);
         let range = Range::new(range.min - shift, range.max - shift);
-        match &self.tree {
-            Some(tree) if self.window > 0.0 => {
-                let size = self.extent.size().element_sum();
-                let (from, to) = (range.min.max(-size), range.max.min(size));
-                self.in_windows(tree, &local, Range::new(from, to), |t| {
-                    !range.contains(t) || found(t + shift)
-                });
-            }
-            _ => {
-                let mut stretches = Stretches::new();
-                self.stretches(&local, Range::LINE, &mut stretches);
-                self.search(&mut stretches, range, None, |t| !range.contains(t) || found(t + shift));
-            }
+        let mut within_range = |t: f64| !range.contains(t) || found(t + shift);
+        if self.window > 0.0 {
+            let size = self.extent.size().element_sum();
+            let (from, to) = (range.min.max(-size), range.max.min(size));
+            return self.in_windows(&local, Range::new(from, to), within_range);
         }
+        let Some(inside) = within(&local, range, &self.extent) else { return };
+        let mut stretches = Stretches::new();
+        self.stretches(&local, Range::LINE, &mut stretches);
+        self.search(&mut stretches, inside, None, &mut within_range);
     }
 
     /// The search of one part of the way after the other, each twice as long as the one before: components behind
     /// the first crossing are not looked at.
-    fn in_windows(&self, tree: &Bvh, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        let Some(inside) = within(ray, range, &tree.bounds()) else { return };
+    fn in_windows(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let Some(inside) = within(ray, range, &self.extent) else { return };
         let (mut from, mut length, mut start) = (inside.min, self.window, None);
         let mut stretches = Stretches::new();
         while from < inside.max {
@@ -292,6 +340,12 @@ impl Blob {
         mut found: impl FnMut(f64) -> bool,
     ) -> Option<f64> {
         let outside = -self.threshold;
+        let whole: f64 = stretches.iter().map(|s| s.most(s.from, s.to)).sum();
+        // Bounds have to be so much smaller: they and the sums are rounded.
+        let least = self.threshold - ROOM * (whole + self.threshold.abs());
+        if whole < least {
+            return Some(outside);
+        }
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
         let mut stops: SmallVec<[f64; 32]> = SmallVec::new();
         stretches.iter().for_each(|s| stops.extend_from_slice(&[s.from, s.to]));
@@ -316,8 +370,8 @@ impl Blob {
             if low >= high || high <= range.min {
                 continue;
             }
-            let most: f64 = active.iter().map(|&i| stretches[i as usize].most()).sum();
-            if most < self.threshold {
+            let most: f64 = active.iter().map(|&i| stretches[i as usize].most(low, high)).sum();
+            if most < least {
                 before = -1.0;
                 continue;
             }
@@ -353,6 +407,11 @@ impl Blob {
 impl Shape for Blob {
     fn bounds(&self) -> Aabb {
         self.extent
+    }
+
+    /// As large as the fields, which is nearer to what the language's reference takes.
+    fn extent(&self) -> Aabb {
+        self.reach
     }
 
     fn inside_bounds(&self) -> Aabb {
@@ -474,6 +533,36 @@ mod tests {
             let p = random.direction();
             assert_eq!(few.contains(p), many.contains(p));
         }
+    }
+
+    /// The box is as narrow as one sphere's surface, and no point inside many components is left out of it.
+    #[test]
+    fn the_box_is_around_the_surface() {
+        let ball = |center, radius, strength| BlobComponent::sphere(center, radius, strength).unwrap();
+        let one = Blob::new(vec![ball(Vec3::new(1.0, 2.0, 3.0), 2.0, 1.0)], 0.5);
+        let half = 2.0 * (1.0 - 0.5f64.sqrt()).sqrt();
+        assert!((one.bounds().max - Vec3::new(1.0, 2.0, 3.0) - half).abs().max_element() < 1e-5);
+        assert!(one.bounds().max.x >= 1.0 + half && one.extent().max.x >= 3.0);
+        assert!(Blob::new(vec![ball(Vec3::ZERO, 1.0, 1.0)], 1.5).bounds().is_empty());
+        let mut random = crate::shape::conformance::Random::new(8);
+        let (mut inside, mut smaller) = (0, 0);
+        for _ in 0..50 {
+            let mut any = |_| {
+                let (a, b) = (random.direction(), random.direction());
+                let (radius, strength) = (0.2 + random.unit(), 2.0 * random.unit() - 0.5);
+                let turn = Transform::rotate(180.0 * b).then(&Transform::scale(Vec3::new(0.7, 1.3, 1.0)));
+                BlobComponent::cylinder(a, b, radius, strength).map(|c| c.transformed(&turn))
+            };
+            let blob = Blob::new((0..6).filter_map(&mut any).collect(), 0.4);
+            smaller += usize::from(blob.bounds().size().cmplt(0.9 * blob.extent().size()).any());
+            for _ in 0..400 {
+                let p = random.in_box(&Aabb::new(Vec3::splat(-2.5), Vec3::splat(2.5)));
+                let is_in = blob.contains(p);
+                assert!(!is_in || blob.bounds().contains(p), "{p}");
+                inside += usize::from(is_in);
+            }
+        }
+        assert!(inside > 300 && smaller > 40, "{inside} {smaller}");
     }
 
     #[test]

@@ -140,6 +140,11 @@ pub trait Shape: Debug + Send + Sync {
         self.bounds()
     }
 
+    /// What the scene language takes for the shape's bounds.
+    fn extent(&self) -> Aabb {
+        self.bounds()
+    }
+
     /// Whether the scene language takes the bounds for the shape's extent.
     fn has_extent(&self) -> bool {
         true

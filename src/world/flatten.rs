@@ -277,6 +277,8 @@ impl Flattened {
             Aabb::INFINITE
         } else if outer.in_intersection {
             to_world.bounds(&shape.inside_bounds())
+        } else if self.asked {
+            to_world.bounds(&shape.extent())
         } else {
             to_world.bounds(&shape.bounds())
         };
