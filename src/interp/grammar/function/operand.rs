@@ -70,7 +70,9 @@ impl Parser {
         {
             let span = self.peek()?.span;
             let right = self.function_signed(body)?;
-            if f == Binary::Div && right.bare && body.expression.value(right.node) == Some(0.0) {
+            let (divided, divisor) = (body.expression.value(left.node), body.expression.value(right.node));
+            // Of two numbers the quotient is infinite, as in POV-Ray.
+            if f == Binary::Div && right.bare && divisor == Some(0.0) && divided.is_none() {
                 return Err(Box::new(Diagnostic::error(span, "division by zero")));
             }
             left = Operand::new(body.expression.binary(f, left.node, right.node));
