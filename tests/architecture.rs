@@ -140,3 +140,21 @@ fn the_page_tells_the_same_order() {
     let expected: Vec<&str> = RANKS.iter().filter(present).copied().collect();
     assert_eq!(told, expected);
 }
+
+/// Files with `unsafe` in them, tests aside, are those that ARCHITECTURE.md names: by the last parts of their paths.
+#[test]
+fn the_page_tells_where_unsafe_code_stands() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("ARCHITECTURE.md")).unwrap();
+    let from = page.find("- `unsafe` stands in").expect("the list of files with unsafe code");
+    let list = page[from..].split("\n- ").next().unwrap();
+    let mut files: Vec<String> =
+        code().into_iter().filter(|l| l.text.contains("allow(unsafe_code)")).map(|l| l.file).collect();
+    files.dedup();
+    for file in &files {
+        assert!(list.contains(&format!("`{file}`")), "src/{file} is not on the list");
+    }
+    let told = list.matches(".rs`").count();
+    assert_eq!(told, files.len(), "{files:?}");
+    let words = ["ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"];
+    assert!(list.contains(&format!("in {} files", words[files.len() - 10])), "{} files", files.len());
+}

@@ -32,9 +32,9 @@ pub struct Blob {
     threshold: f64,
     tree: Option<Bvh>,
     /// Around the components that count.
-    reach: Aabb,
-    /// Around the surface.
     extent: Aabb,
+    /// Around the surface.
+    surface: Aabb,
     /// Length of the first part of a ray that is searched; 0 if rays are searched as a whole.
     window: f64,
     /// Whether any component has a texture of its own.
@@ -241,13 +241,13 @@ impl Blob {
     pub fn new(components: Vec<BlobComponent>, threshold: f64) -> Self {
         let boxes: Vec<Aabb> = components.iter().map(BlobComponent::bounds).collect();
         let positive = components.iter().zip(&boxes).filter(|(c, _)| c.strength > 0.0 || threshold < 0.0);
-        let reach = positive.fold(Aabb::EMPTY, |e, (_, b)| e.union(*b));
-        let extent = around_surface(&components, threshold, reach);
+        let extent = positive.fold(Aabb::EMPTY, |e, (_, b)| e.union(*b));
+        let surface = around_surface(&components, threshold, extent);
         let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes, Quality::Best));
         let textured = components.iter().any(|c| c.texture.is_some());
         let mean = boxes.iter().map(|b| b.size().max_element()).sum::<f64>() / boxes.len().max(1) as f64;
         let window = if components.len() >= PARTS_FROM { mean } else { 0.0 };
-        Self { components, threshold, tree, reach, extent, window, textured }
+        Self { components, threshold, tree, extent, surface, window, textured }
     }
 
     /// Calls `visit` with every component that may reach `p`.
@@ -277,19 +277,19 @@ impl Blob {
     }
 
     fn visit(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        if self.extent.is_empty() {
+        if self.surface.is_empty() {
             return;
         }
-        let shift = (self.extent.center() - ray.origin).dot(ray.dir);
+        let shift = (self.surface.center() - ray.origin).dot(ray.dir);
         let local = Ray::new(ray.at(shift), ray.dir);
         let range = Range::new(range.min - shift, range.max - shift);
         let mut within_range = |t: f64| !range.contains(t) || found(t + shift);
         if self.window > 0.0 {
-            let size = self.extent.size().element_sum();
+            let size = self.surface.size().element_sum();
             let (from, to) = (range.min.max(-size), range.max.min(size));
             return self.in_windows(&local, Range::new(from, to), within_range);
         }
-        let Some(inside) = within(&local, range, &self.extent) else { return };
+        let Some(inside) = within(&local, range, &self.surface) else { return };
         let mut stretches = Stretches::new();
         self.stretches(&local, Range::LINE, &mut stretches);
         self.search(&mut stretches, inside, None, &mut within_range);
@@ -298,7 +298,7 @@ impl Blob {
     /// The search of one part of the way after the other, each twice as long as the one before: components behind
     /// the first crossing are not looked at.
     fn in_windows(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        let Some(inside) = within(ray, range, &self.extent) else { return };
+        let Some(inside) = within(ray, range, &self.surface) else { return };
         let (mut from, mut length, mut start) = (inside.min, self.window, None);
         let mut stretches = Stretches::new();
         while from < inside.max {
@@ -317,7 +317,7 @@ impl Blob {
         match &self.tree {
             Some(tree) => {
                 // From in front of everything that counts.
-                let size = self.extent.size().element_sum();
+                let size = self.surface.size().element_sum();
                 let start =
                     if part.min.is_finite() { part.min - 1e-3 * (part.max - part.min) } else { -size };
                 let length = if part.max.is_finite() { 1.002 * (part.max - start) } else { f64::INFINITY };
@@ -406,16 +406,16 @@ impl Blob {
 
 impl Shape for Blob {
     fn bounds(&self) -> Aabb {
-        self.extent
+        self.surface
     }
 
     /// As large as the fields, which is nearer to what the language's reference takes.
     fn extent(&self) -> Aabb {
-        self.reach
+        self.extent
     }
 
     fn inside_bounds(&self) -> Aabb {
-        if self.threshold < 0.0 { Aabb::INFINITE } else { self.extent }
+        if self.threshold < 0.0 { Aabb::INFINITE } else { self.surface }
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
@@ -447,7 +447,7 @@ impl Shape for Blob {
         let p = ray.at(crossing.t);
         let (sum, size, gradient) = self.sample(p);
         let steep2 = gradient.length_squared();
-        let extent = self.extent.size().max_element();
+        let extent = self.surface.size().max_element();
         let reach = p.abs().max_element() + extent;
         if steep2 == 0.0 {
             return (p, super::rounding(reach));

@@ -1,5 +1,4 @@
 // A difference.
-//! no reference: twins are compared with each other
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1.5, -5> look_at 0 angle 46 }

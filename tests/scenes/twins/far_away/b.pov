@@ -1,5 +1,4 @@
 // The same scene, a million units away.
-//! no reference: twins are compared with each other
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare O = <1000000, -2000000, 1500000>;

@@ -1,5 +1,4 @@
 // Everyday size.
-//! no reference: twins are compared with each other
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare S = 1;

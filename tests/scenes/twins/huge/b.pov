@@ -1,5 +1,5 @@
 // The same, a thousand million times larger. (POV-Ray draws it wrongly, or refuses the scale.)
-//! no reference: twins are compared with each other
+//! no reference: POV-Ray loses what is further away than its largest distance
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare S = 1e9;

@@ -1,5 +1,5 @@
 // The same, a million times smaller. (POV-Ray draws it wrongly, or refuses the scale.)
-//! no reference: twins are compared with each other
+//! no reference: POV-Ray refuses the scale
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare S = 1e-6;
