@@ -124,33 +124,38 @@ impl Encoding {
 
     /// All quantised channels, row by row.
     pub fn samples(&self, picture: &Picture) -> Vec<u16> {
-        if self.grey {
-            return self.samples_of(&Encoding::in_grey(picture));
-        }
-        self.samples_of(picture)
+        let mut out = Vec::with_capacity(picture.pixels.len() * self.channels());
+        self.each(picture, |channels| out.extend_from_slice(channels));
+        out
     }
 
-    fn samples_of(&self, picture: &Picture) -> Vec<u16> {
-        let mut out = Vec::with_capacity(picture.pixels.len() * self.channels());
-        let mut put = |pixel: [u16; 4]| match (self.grey, self.alpha) {
-            (false, false) => out.extend_from_slice(&pixel[..3]),
-            (false, true) => out.extend_from_slice(&pixel),
-            (true, false) => out.push(pixel[0]),
-            (true, true) => out.extend_from_slice(&[pixel[0], pixel[3]]),
+    /// Hands out the quantised channels of each pixel, row by row.
+    pub(super) fn each(&self, picture: &Picture, put: impl FnMut(&[u16])) {
+        if self.grey { self.each_of(&Encoding::in_grey(picture), put) } else { self.each_of(picture, put) }
+    }
+
+    fn each_of(&self, picture: &Picture, mut put: impl FnMut(&[u16])) {
+        let mut put = |[r, g, b, alpha]: [u16; 4]| {
+            let channels = if self.grey { [r, alpha, 0, 0] } else { [r, g, b, alpha] };
+            put(&channels[..self.channels()]);
         };
         if self.dither != Dither::None {
-            dither::samples(picture, self, self.dither).into_iter().for_each(put);
-            return out;
+            return dither::samples(picture, self, self.dither).into_iter().for_each(put);
         }
         let worth = self.bits <= Steps::MAX_BITS && picture.pixels.len() > Steps::WORTH && !self.alpha;
         let steps = worth.then(|| Steps::of(self));
+        let quantised = |p: Pixel| match &steps {
+            Some(steps) => [p.rgb.x, p.rgb.y, p.rgb.z, 1.0].map(|c| steps.at(c)),
+            None => self.pixel(p),
+        };
+        // Backgrounds, and what has not been traced yet, are long runs of one pixel.
+        let mut last = (Pixel::NONE, quantised(Pixel::NONE));
         for &p in &picture.pixels {
-            put(match &steps {
-                Some(steps) => [p.rgb.x, p.rgb.y, p.rgb.z, 1.0].map(|c| steps.at(c)),
-                None => self.pixel(p),
-            });
+            if p != last.0 {
+                last = (p, quantised(p));
+            }
+            put(last.1);
         }
-        out
     }
 
     /// Light of a working colour, for files that hold light. Without gamma handling the working values are
@@ -266,6 +271,24 @@ mod tests {
                     assert_eq!(steps.at(c), e.pixel(Pixel::new(Rgb::splat(c), 0.0))[0], "{e:?} {c}");
                 }
             }
+        }
+    }
+
+    /// Not a number differs from itself, and the two zeros are one value.
+    #[test]
+    fn runs_of_a_pixel_are_quantised_like_single_ones() {
+        let mut picture = Picture::new(8, 2);
+        for (x, c) in [0.0, -0.0, f32::NAN, f32::NAN, 0.5, 0.5, 0.25].into_iter().enumerate() {
+            picture.set(x as u32, 1, Pixel::new(Rgb::splat(c), 0.0));
+        }
+        for (grey, alpha) in [(false, false), (false, true), (true, false), (true, true)] {
+            let e = Encoding { grey, alpha, ..Encoding::new(Gamma::Power(1.0)) };
+            let single = picture.pixels.iter().flat_map(|&p| {
+                let [r, g, b, a] = e.pixel(p);
+                let channels = if grey { vec![r] } else { vec![r, g, b] };
+                channels.into_iter().chain(alpha.then_some(a))
+            });
+            assert_eq!(e.samples(&picture), single.collect::<Vec<_>>());
         }
     }
 

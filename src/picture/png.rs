@@ -14,9 +14,7 @@ pub fn encode(picture: &Picture, encoding: &Encoding) -> Result<Vec<u8>, Picture
         (true, false) => ColorType::Grayscale,
         (true, true) => ColorType::GrayscaleAlpha,
     };
-    let samples = encoding.samples(picture);
-    let bytes =
-        if encoding.bits > 8 { wide(&samples, encoding.bits) } else { narrow(&samples, encoding.bits) };
+    let bytes = bytes(picture, encoding);
     let mut out = Vec::with_capacity(bytes.len() / 2 + 1024);
     let mut encoder = Encoder::new(&mut out, picture.width, picture.height);
     encoder.set_color(color);
@@ -34,16 +32,27 @@ pub fn encode(picture: &Picture, encoding: &Encoding) -> Result<Vec<u8>, Picture
     }
 }
 
-/// Big-endian 16-bit samples; the high bits of narrower values are repeated below.
-fn wide(samples: &[u16], bits: u8) -> Vec<u8> {
-    let fill = |s: u16| if bits == 16 { s } else { s << (16 - bits) | s >> (2 * bits - 16) };
-    samples.iter().flat_map(|&s| fill(s).to_be_bytes()).collect()
+/// The samples as the file has them before it is compressed.
+fn bytes(picture: &Picture, encoding: &Encoding) -> Vec<u8> {
+    let bits = encoding.bits;
+    let mut out = Vec::with_capacity(picture.pixels.len() * if bits > 8 { 8 } else { 4 });
+    match bits {
+        8 => encoding.each(picture, |samples| out.extend(samples.iter().map(|&s| s as u8))),
+        0..8 => encoding.each(picture, |samples| out.extend(samples.iter().map(|&s| narrow(s, bits)))),
+        _ => encoding.each(picture, |samples| out.extend(samples.iter().flat_map(|&s| wide(s, bits)))),
+    }
+    out
 }
 
-/// 8-bit samples; the high bits of narrower values are repeated below.
-fn narrow(samples: &[u16], bits: u8) -> Vec<u8> {
-    let fill = |s: u16| if bits == 8 { s as u8 } else { (s << (8 - bits) | s >> (2 * bits - 8)) as u8 };
-    samples.iter().map(|&s| fill(s)).collect()
+/// A big-endian 16-bit sample; the high bits of a narrower value are repeated below.
+fn wide(s: u16, bits: u8) -> [u8; 2] {
+    let filled = if bits == 16 { s } else { s << (16 - bits) | s >> (2 * bits - 16) };
+    filled.to_be_bytes()
+}
+
+/// An 8-bit sample; the high bits of the narrower value are repeated below.
+fn narrow(s: u16, bits: u8) -> u8 {
+    (s << (8 - bits) | s >> (2 * bits - 8)) as u8
 }
 
 #[cfg(test)]
@@ -87,7 +96,7 @@ mod tests {
 
     #[test]
     fn odd_depths_repeat_their_high_bits() {
-        assert_eq!(wide(&[0xFFF, 0x801], 12), [0xFF, 0xFF, 0x80, 0x18]);
-        assert_eq!(narrow(&[31, 16, 0], 5), [255, 132, 0]);
+        assert_eq!([0xFFF, 0x801].map(|s| wide(s, 12)), [[0xFF, 0xFF], [0x80, 0x18]]);
+        assert_eq!([31, 16, 0].map(|s| narrow(s, 5)), [255, 132, 0]);
     }
 }

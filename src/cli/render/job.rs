@@ -15,7 +15,7 @@ use crate::render::{indirect, render};
 use crate::trace::{Counters, Indirect, Tracer};
 use crate::world::World;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Instant;
 
 /// What others may look at while the picture is traced.
@@ -25,6 +25,8 @@ pub struct Live {
     target: Target,
     /// Where the picture goes until it is finished.
     unfinished: Target,
+    /// What was said when the picture was left unfinished.
+    left: OnceLock<String>,
 }
 
 impl Live {
@@ -33,11 +35,18 @@ impl Live {
         self.unfinished.write(&self.canvas.snapshot(), &self.encoding)
     }
 
-    /// Writes the unfinished picture and says so.
-    pub fn leave(&self) -> String {
+    /// Writes the unfinished picture and says so. Whoever asks while it is written waits, and no second
+    /// one is written.
+    pub fn leave(&self) -> &str {
+        self.left.get_or_init(|| self.write_and_say())
+    }
+
+    /// Nothing is traced any more, so the picture need not be copied.
+    fn write_and_say(&self) -> String {
         let percent = self.canvas.percent();
         let output = &self.unfinished.output;
-        match output.path().map(|_| self.write()) {
+        let written = output.path().map(|_| self.unfinished.write(&self.canvas.lock(), &self.encoding));
+        match written {
             None => format!("interrupted at {percent} %; nothing was written"),
             Some(Ok(())) => format!("interrupted; {output} holds the {percent} % that were traced"),
             Some(Err(error)) => {
@@ -170,6 +179,7 @@ impl<'a> Job<'a> {
             encoding: self.plan.encoding(world.scene.globals.gamma),
             target: self.task.target.clone(),
             unfinished: self.task.unfinished(),
+            left: OnceLock::new(),
         });
         *self.live.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(live.clone());
         live
@@ -250,4 +260,30 @@ fn total(mut total: Counters, tracers: &[Tracer]) -> Counters {
         );
     }
     total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::output::Format;
+    use crate::color::Gamma;
+
+    /// The render and its monitor may both leave it: a large picture takes a while.
+    #[test]
+    fn an_unfinished_picture_is_written_once() {
+        let path = std::env::temp_dir().join(format!("glint-left-{}.png", std::process::id()));
+        let target = Target { output: Output::File(path.clone()), format: Format::Png };
+        let live = Live {
+            canvas: Canvas::new(Picture::new(4, 3), 12),
+            encoding: Encoding::new(Gamma::Srgb),
+            target: target.clone(),
+            unfinished: target,
+            left: OnceLock::new(),
+        };
+        let said = live.leave().to_owned();
+        assert!(said.contains("holds the 0 % that were traced"), "{said}");
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(live.leave(), said);
+        assert!(!path.exists());
+    }
 }
