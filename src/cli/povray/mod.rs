@@ -5,6 +5,7 @@
 
 mod animation;
 mod help;
+mod in_glint;
 mod naming;
 mod notes;
 mod settings;
@@ -19,6 +20,7 @@ use crate::interp;
 use crate::picture::{Dither, FileGamma, Output, Pixel};
 use crate::render::{Antialias, Method, Region};
 use animation::Animation;
+pub use in_glint::InGlint;
 use naming::FileType;
 use settings::Settings;
 use std::collections::BTreeSet;
@@ -47,6 +49,11 @@ pub fn run(words: &[String]) -> Result<Exit, Failure> {
         Output::File(path.into()).write(settings.ini().as_bytes())?;
     }
     run_all(&plan, &tasks, false)
+}
+
+/// Whether an INI file may set something by this name.
+pub fn is_keyword(name: &str) -> bool {
+    table::TABLE.keyword(name.trim()).is_some()
 }
 
 /// The first of the files that POV-Ray reads without being asked.

@@ -95,7 +95,8 @@ const WITHOUT_EFFECT: &[(&str, &[&str])] = &[
     ),
 ];
 
-fn reason(keyword: &str) -> Option<&'static str> {
+/// Why a keyword has no effect, if it has none.
+pub fn reason(keyword: &str) -> Option<&'static str> {
     WITHOUT_EFFECT.iter().find(|(_, keywords)| keywords.contains(&keyword)).map(|(reason, _)| *reason)
 }
 

@@ -6,10 +6,12 @@
 //! They are never mixed: letters mean different things (`-A` is anti-aliasing here and no anti-aliasing
 //! there).
 
+mod sorted;
 mod translate;
 
 use super::args::COMMANDS;
 use super::exit::Failure;
+use sorted::Sorted;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -27,41 +29,36 @@ pub fn of(words: &[OsString]) -> Result<Syntax, Failure> {
     let program = words.first().map(Path::new).and_then(Path::file_stem).unwrap_or_default();
     let rest: Vec<String> = words.iter().skip(1).map(|w| w.to_string_lossy().into_owned()).collect();
     if program == "povray" {
-        return Ok(Syntax::Povray(rest));
+        return povray(rest);
     }
     if rest.first().is_some_and(|w| w == "pov") {
-        return Ok(Syntax::Povray(rest[1..].to_vec()));
+        return povray(rest[1..].to_vec());
     }
-    if rest.iter().any(|w| is_povray(w)) {
-        return match rest.iter().position(|w| is_glint(w)) {
-            Some(at) => Err(mixed(&rest, at)),
-            None => Ok(Syntax::Povray(rest)),
-        };
+    let sorted = Sorted::of(&rest, false);
+    if sorted.povray.is_empty() {
+        return Ok(Syntax::Glint(with_command(words)));
     }
-    Ok(Syntax::Glint(with_command(words)))
+    if sorted.command.is_none() && sorted.glint.is_empty() {
+        return Ok(Syntax::Povray(rest));
+    }
+    Err(mixed(&sorted, &format!("`{}`", sorted.povray[0])))
 }
 
-/// Words that only POV-Ray's syntax has.
-fn is_povray(word: &str) -> bool {
-    let name = word.split('[').next().unwrap_or(word);
-    word.starts_with('+') || (!word.starts_with('-') && name.to_ascii_lowercase().ends_with(".ini"))
+/// POV-Ray's syntax was asked for.
+fn povray(words: Vec<String>) -> Result<Syntax, Failure> {
+    let sorted = Sorted::of(&words, true);
+    if sorted.command.is_none() && sorted.glint.is_empty() {
+        return Ok(Syntax::Povray(words));
+    }
+    Err(mixed(&sorted, "this"))
 }
 
-/// Words that only Glint's syntax has: commands, long options, options whose value is a word of its own.
-fn is_glint(word: &str) -> bool {
-    COMMANDS.contains(&word)
-        || (word.starts_with("--") && !matches!(word, "--resume" | "--help" | "--version"))
-        || matches!(word, "-o" | "-W" | "-H" | "-L")
-        || word.starts_with("-A=")
-}
-
-fn mixed(words: &[String], glint: usize) -> Failure {
-    let povray = words.iter().find(|w| is_povray(w)).map_or("", String::as_str);
+fn mixed(line: &Sorted, povray: &str) -> Failure {
+    let option = line.glint.first().map(|g| g.words.join(" "));
+    let glint = line.command.clone().or(option).unwrap_or_default();
     Failure::usage(format!(
-        "`{povray}` is POV-Ray's command-line syntax and `{}` is Glint's; they cannot be mixed.\n\
-         In Glint's syntax: {}",
-        words[glint],
-        translate::to_glint(words),
+        "{povray} is POV-Ray's command-line syntax and `{glint}` is Glint's; they cannot be mixed.\n{}",
+        translate::translated(line),
     ))
 }
 
@@ -112,13 +109,80 @@ mod tests {
         assert_eq!(syntax("glint a.ini --resume"), povray("a.ini --resume"));
     }
 
+    /// What is shown for a mixed line.
+    fn advice(line: &str) -> String {
+        let error = syntax(line).unwrap_err();
+        assert_eq!(error.exit, Exit::Usage);
+        error.message.rsplit('\n').next().unwrap().replace("In Glint's syntax: ", "")
+    }
+
     #[test]
     fn mixing_shows_the_translated_command() {
-        let error = syntax("glint render a.pov +W320 +H200 +A0.1 +AM2 -o b.png +FN16").unwrap_err();
-        assert_eq!(error.exit, Exit::Usage);
-        let translated = "glint render a.pov -W 320 -H 200 -A=0.1 --aa-method 2 -o b.png --bits 16";
-        assert!(error.message.ends_with(translated), "{error}");
-        let error = syntax("glint +Iscene.pov +Oout.png +UA --json").unwrap_err();
-        assert!(error.message.ends_with("glint render scene.pov -o out.png --alpha --json"), "{error}");
+        for (typed, translated) in [
+            (
+                "glint render a.pov +W320 +H200 +A0.1 +AM2 -o b.png +FN16",
+                "glint render a.pov -W 320 -H 200 -A=0.1 --aa-method 2 --bits 16 -o b.png",
+            ),
+            ("glint +Iscene.pov +Oout.png +UA --json", "glint render scene.pov --alpha -o out.png --json"),
+            ("glint pov good.pov --json", "glint render good.pov --json"),
+            ("glint pov good.pov -W 20 -o x.png", "glint render good.pov -W 20 -o x.png"),
+            ("povray dice.pov -W 20", "glint render dice.pov -W 20"),
+            ("povray render good.pov -W 20", "glint render good.pov -W 20"),
+            ("glint +Igood.pov +W20 -A0.3 --alpha", "glint render good.pov -W 20 --alpha"),
+            ("glint +Igood.pov +A --alpha", "glint render good.pov -A --aa-method 1 --alpha"),
+            ("glint render good.pov +W20 -A", "glint render good.pov -W 20 -A"),
+            ("glint +Igood.pov +W20 -J --threads 2", "glint render good.pov -W 20 --jitter off --threads 2"),
+            ("glint +Igood.pov Declare=X=3 --json", "glint render good.pov -D X=3 --json"),
+            ("glint +Igood.pov -D X=3", "glint render good.pov -D X=3"),
+            (
+                "glint +Ia.pov +SC5 +EC10 +SR3 +ER8 --json",
+                "glint render a.pov -W 160 -H 120 --region 4,2,10,8 --json",
+            ),
+            ("glint +Ia.pov +SC0.5 -W 20 -H 10", "glint render a.pov --region 10,0,20,10 -W 20 -H 10"),
+            ("glint +Ia.pov +FE --json", "glint render a.pov -o a.exr --json"),
+            ("glint compare a.png +b.png", "glint compare a.png ./+b.png"),
+            ("glint check a.pov +W20", "glint check a.pov -W 20"),
+            ("glint +Ia.pov +Lmy -Iit's.pov -q", "glint render 'it'\\''s.pov' -L my -q"),
+        ] {
+            let shown = advice(typed);
+            assert!(shown.ends_with(translated), "{typed}\n{shown}\n{translated}");
+        }
+    }
+
+    #[test]
+    fn what_one_syntax_lacks_is_shown_in_the_other() {
+        for (typed, translated) in [
+            (
+                "glint +Ia.pov +KFI1 +KFF3 -W 20 -o x",
+                "In POV-Ray's syntax: glint pov +Ia.pov +KFI1 +KFF3 +W20 +Ox",
+            ),
+            ("glint a.pov +FT --region 1,2,3,4", "glint pov a.pov +FT +SC2 +SR3 +EC3 +ER4"),
+            ("glint a.pov +KFF3 --json", "In POV-Ray's syntax, without that: glint pov a.pov +KFF3"),
+            ("glint check a.pov +Q3", "In Glint's syntax, without that: glint check a.pov"),
+        ] {
+            let shown = advice(typed);
+            assert!(shown.ends_with(translated), "{typed}\n{shown}\n{translated}");
+        }
+        assert!(syntax("glint a.pov +KFF3 --json").unwrap_err().message.contains("nothing for `--json`"));
+        assert!(syntax("glint check a.pov +Q3").unwrap_err().message.contains("`--quality`"));
+    }
+
+    /// What an INI file says is read, so that nothing of it is lost.
+    #[test]
+    fn ini_files_are_translated() {
+        let ini = std::env::temp_dir().join(format!("glint-mixed-{}.ini", std::process::id()));
+        std::fs::write(&ini, "Input_File_Name=b.pov\n+W30 Quality=5\n").unwrap();
+        let shown = advice(&format!("glint {} --json", ini.display()));
+        assert!(shown.ends_with("glint render b.pov -W 30 --quality 5 --json"), "{shown}");
+        std::fs::remove_file(&ini).unwrap();
+        let shown = advice(&format!("glint {} --json", ini.display()));
+        assert!(shown.ends_with(&format!("glint pov {}", ini.display())), "{shown}");
+    }
+
+    /// A value is no word of the other syntax.
+    #[test]
+    fn values_are_not_switches() {
+        assert_eq!(syntax("glint a.pov -o +x.png"), glint("glint render a.pov -o +x.png"));
+        assert_eq!(syntax("povray a.pov -D Width=3"), povray("a.pov -D Width=3"));
     }
 }
