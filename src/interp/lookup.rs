@@ -2,6 +2,7 @@
 
 use super::options::IncludeMode;
 use super::places::Access;
+use super::suggest::nearest_file;
 use super::{Parser, Result, embedded};
 use crate::source::{Diagnostic, Span};
 use std::path::{Component, Path, PathBuf};
@@ -126,7 +127,26 @@ impl Parser {
             true => "looked in the working folder and beside the scene; name more folders with -L".to_owned(),
             false => format!("looked in the working folder, {} and beside the scene", folders.join(", ")),
         };
+        let hint = match self.nearest_file(name) {
+            Some(near) => format!("did you mean `{near}`? ({hint})"),
+            None => hint,
+        };
         Box::new(Diagnostic::error(span, format!("cannot find the file `{name}`")).with_hint(hint))
+    }
+
+    /// The file most like `name` where it was looked for, among those carried along too.
+    fn nearest_file(&self, name: &str) -> Option<String> {
+        let mut known: Vec<String> = match self.options.includes {
+            IncludeMode::Installed => Vec::new(),
+            _ => embedded::names().map(str::to_owned).collect(),
+        };
+        for folder in self.library_folders().into_iter().chain(self.neighbour_folders()) {
+            let listed = if folder.as_os_str().is_empty() { Path::new(".") } else { &folder };
+            let entries = std::fs::read_dir(listed).into_iter().flatten().flatten();
+            let files = entries.filter(|entry| entry.file_type().is_ok_and(|t| !t.is_dir()));
+            known.extend(files.filter_map(|entry| entry.file_name().into_string().ok()));
+        }
+        nearest_file(name, known.into_iter())
     }
 
     /// The working folder, the library paths and the installed include files.

@@ -32,6 +32,7 @@ mod tests;
 mod textfile;
 mod value;
 mod version;
+mod vocabulary;
 mod world_query;
 
 pub use interpret::{Outcome, interpret, interpret_str};

@@ -1,6 +1,7 @@
 //! What is around the objects: `background`, `fog`, `rainbow`, `sky_sphere`.
 
 use crate::color::{Color, Rgb};
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::math::Vec3;
 use crate::math::noise::Turbulence;
@@ -91,7 +92,7 @@ impl Parser {
     /// A colour, or as old scenes have it a number for the distance.
     fn fog_color_or_number(&mut self, fog: &mut Fog) -> Result<()> {
         if !self.at_expression()? {
-            return Err(self.unexpected("a fog item or `}`"));
+            return Err(self.unexpected_item(&items::FOG));
         }
         let token = self.peek()?;
         let number = match token.tok {
@@ -137,7 +138,7 @@ impl Parser {
 
     fn rainbow_item(&mut self, rainbow: &mut Rainbow) -> Result<()> {
         let token = self.peek()?;
-        let Tok::Word(word) = token.tok else { return Err(self.unexpected("a rainbow item or `}`")) };
+        let Tok::Word(word) = token.tok else { return Err(self.unexpected_item(&items::RAINBOW)) };
         if word == Keyword::ColorMap {
             self.next()?;
             rainbow.colors = self.color_map()?;

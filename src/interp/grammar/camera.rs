@@ -4,6 +4,7 @@
 //! acts at once on one camera that all statements share.
 
 use crate::camera::{Camera, CameraKind, Distribution, MeshCamera};
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::math::{Transform, Vec3};
 use crate::scene::Body;
@@ -171,7 +172,7 @@ impl Parser {
             return Ok(());
         }
         let token = self.peek()?;
-        let Tok::Word(word) = token.tok else { return Err(self.unexpected("a camera item or `}`")) };
+        let Tok::Word(word) = token.tok else { return Err(self.unexpected_item(&items::CAMERA)) };
         if self.blur_item(camera, word)? {
             return Ok(());
         }

@@ -1,5 +1,6 @@
 //! `finish { … }`.
 
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Finish, Reflection};
 use crate::source::Diagnostic;
@@ -32,7 +33,7 @@ impl Parser {
         }
         let mut albedo = Albedo::default();
         while self.finish_item(&mut finish, &mut albedo)? {}
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::FINISH)?;
         albedo.scale(&mut finish);
         Ok(finish)
     }
@@ -167,7 +168,7 @@ impl Parser {
             min = crate::color::Rgb::ZERO;
         }
         read.min = min;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::REFLECTION)?;
         *reflection = read;
         Ok(())
     }

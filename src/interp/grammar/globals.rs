@@ -2,6 +2,7 @@
 
 use crate::color::Gamma;
 use crate::interp::lookup::Kind;
+use crate::interp::vocabulary::{self as items, Items};
 use crate::interp::{Access, Parser, Result};
 use crate::light::PhotonFile;
 use crate::math::noise::NoiseGenerator;
@@ -12,13 +13,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 impl Parser {
-    fn not_a_setting(&mut self, token: Token, block: &str) -> Box<Diagnostic> {
+    fn not_a_setting(&mut self, token: Token, items: &Items) -> Box<Diagnostic> {
         match token.tok {
-            Tok::Word(word) => Box::new(Diagnostic::error(
-                token.span,
-                format!("`{}` is no setting of `{block}`", word.text()),
-            )),
-            _ => self.unexpected_token(token, &format!("a setting of `{block}` or `}}`")),
+            Tok::Word(word) => {
+                let text = format!("`{}` is not {}", word.text(), items.noun);
+                Box::new(Diagnostic::error(token.span, text))
+            }
+            _ => self.unexpected_among(token, &format!("{} or `}}`", items.noun), items.words),
         }
     }
 
@@ -28,9 +29,11 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "global_settings")) };
+            let Tok::Word(word) = token.tok else {
+                return Err(self.not_a_setting(token, &items::GLOBAL_SETTINGS));
+            };
             if !(self.global_light_item(word, token.span)? || self.global_item(word, token.span)?) {
-                return Err(self.not_a_setting(token, "global_settings"));
+                return Err(self.not_a_setting(token, &items::GLOBAL_SETTINGS));
             }
             self.comma()?;
         }
@@ -148,7 +151,7 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "radiosity")) };
+            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, &items::RADIOSITY)) };
             match word {
                 Keyword::Count => {
                     r.count = self.whole(1.0, f64::from(u32::MAX))?;
@@ -171,7 +174,7 @@ impl Parser {
                 Keyword::MinimumReuse => minimum = Some(self.float()?),
                 Keyword::MaximumReuse => maximum = Some(self.float()?),
                 _ if self.radiosity_flag(&mut r, word)? || self.radiosity_number(&mut r, word)? => {}
-                _ => return Err(self.not_a_setting(token, "radiosity")),
+                _ => return Err(self.not_a_setting(token, &items::RADIOSITY)),
             }
             self.comma()?;
         }
@@ -259,9 +262,9 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         while !self.accept_punct(Punct::RightBrace)? {
             let token = self.next()?;
-            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, "photons")) };
+            let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, &items::PHOTONS)) };
             if !self.photon_item(&mut p, word, token.span)? {
-                return Err(self.not_a_setting(token, "photons"));
+                return Err(self.not_a_setting(token, &items::PHOTONS));
             }
             self.comma()?;
         }
@@ -358,7 +361,7 @@ impl Parser {
                     s.single_samples = (self.float()? as u32).max(1);
                 }
                 Tok::Word(Keyword::Radiosity) => s.radiosity = self.flag()?,
-                _ => return Err(self.not_a_setting(token, "subsurface")),
+                _ => return Err(self.not_a_setting(token, &items::SUBSURFACE)),
             }
         }
         Ok(s)

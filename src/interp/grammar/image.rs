@@ -1,6 +1,7 @@
 //! Image files and function images, and the maps made from them.
 
 use crate::interp::lookup::Kind;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result};
 use crate::pattern::image::decode::{Decoded, Format, Profile, Samples};
 use crate::pattern::image::{
@@ -35,7 +36,7 @@ impl Parser {
     pub(super) fn image_pattern(&mut self) -> Result<ImagePattern> {
         self.expect_punct(Punct::LeftBrace)?;
         let (map, settings) = self.image_with_settings(ImageUse::Pattern)?;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::IMAGE_PATTERN)?;
         Ok(ImagePattern { map, value: if settings.use_alpha { ImageValue::Alpha } else { ImageValue::Grey } })
     }
 
@@ -63,15 +64,16 @@ impl Parser {
         let token = self.peek()?;
         let format = match token.tok {
             Tok::Word(Keyword::Function) => return self.image_of_function(),
-            Tok::Word(Keyword::Iff) => {
-                let message = "IFF pictures are not read: convert the file, to PNG for example";
-                return Err(Box::new(Diagnostic::error(token.span, message)));
-            }
+            Tok::Word(Keyword::Iff) => return self.iff_image(),
             Tok::Word(Keyword::Sys) => {
-                let message = "this system has no picture files of its own kind";
-                return Err(Box::new(Diagnostic::error(token.span, message)));
+                let message = "`sys` means pictures in the system's own format, and this system has none";
+                let hint = "name the type of the file, such as `png` or `jpeg`";
+                return Err(Box::new(Diagnostic::error(token.span, message).with_hint(hint)));
             }
             Tok::Word(word) => format_of_word(word),
+            Tok::Identifier(name) if self.symbols.value(name).is_none() => {
+                return Err(self.unexpected_among(token, items::IMAGE_TYPES.noun, items::IMAGE_TYPES.words));
+            }
             _ => None,
         };
         if format.is_some() {
@@ -84,12 +86,31 @@ impl Parser {
             let message = "the file name has no extension that tells the kind of image";
             return Err(Box::new(Diagnostic::error(span, message)));
         };
-        let written = if self.accept(Keyword::Gamma)? { Some(self.curve()?) } else { None };
-        let premultiplied =
-            if self.accept(Keyword::Premultiplied)? { Some(self.float()? > 0.0) } else { None };
+        let (written, premultiplied) = self.image_coding()?;
         let working = self.scene.gamma_given.then_some(self.scene.scene.globals.gamma);
         let reading = Reading { raw, version: self.effective_version(), working, written, premultiplied };
         self.image_file(&name, format, kind, reading, span)
+    }
+
+    /// `gamma` and `premultiplied` behind a file's name.
+    fn image_coding(&mut self) -> Result<(Option<Curve>, Option<bool>)> {
+        let written = if self.accept(Keyword::Gamma)? { Some(self.curve()?) } else { None };
+        let premultiplied =
+            if self.accept(Keyword::Premultiplied)? { Some(self.float()? > 0.0) } else { None };
+        Ok((written, premultiplied))
+    }
+
+    /// `iff "file"`, whose format is not decoded: a small black picture stands for it. It has a full palette, as the
+    /// format's pictures have, so that every setting fits.
+    fn iff_image(&mut self) -> Result<Arc<Image>> {
+        let span = self.next()?.span;
+        self.file_name()?;
+        self.image_coding()?;
+        self.unsupported(span.to(self.last), "an image of type `iff`");
+        let black = vec![[0, 0, 0, u16::MAX]; 256];
+        let samples = Samples::Palette { indices: vec![0; 4], palette: black, alpha: false };
+        let decoded = Decoded { width: 2, height: 2, samples, profile: Profile::Unknown };
+        Ok(Arc::new(Image::new(decoded, &Reading::RAW)))
     }
 
     fn curve(&mut self) -> Result<Curve> {

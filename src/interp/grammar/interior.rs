@@ -1,5 +1,6 @@
 //! `interior { … }`.
 
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Attached, Interior};
 use crate::source::Diagnostic;
@@ -22,7 +23,7 @@ impl Parser {
             interior = (*named).clone();
         }
         while self.interior_item(&mut interior)? {}
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::INTERIOR)?;
         Ok(interior)
     }
 

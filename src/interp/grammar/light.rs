@@ -1,6 +1,7 @@
 //! `light_source`.
 
 use crate::color::Rgb;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::light::{AreaLight, CylinderBeam, Light, LightKind, SpotBeam};
 use crate::math::{Transform, Vec3};
@@ -65,7 +66,7 @@ impl Parser {
                     }
                     return Err(not_in_a_light(token.span, word));
                 }
-                _ => return Err(self.unexpected("a light source item or `}`")),
+                _ => return Err(self.unexpected_item(&items::LIGHT)),
             }
             self.next()?;
         }

@@ -2,6 +2,7 @@
 
 use super::texture::joined;
 use crate::interp::value::Material;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Attached, Interior, Texture};
 use crate::math::Transform;
@@ -36,7 +37,7 @@ impl Parser {
                 _ => break,
             }
         }
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::MATERIAL)?;
         Ok(material)
     }
 

@@ -1,5 +1,6 @@
 //! `media { … }`.
 
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Attached, Media};
 use crate::source::Diagnostic;
@@ -16,7 +17,7 @@ impl Parser {
             media = (*named).clone();
         }
         while self.media_item(&mut media)? {}
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::MEDIA)?;
         Ok(Attached::new(Arc::new(media)))
     }
 

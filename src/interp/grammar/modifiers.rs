@@ -1,5 +1,6 @@
 //! What may follow an object's parameters, up to its closing brace.
 
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result};
 use crate::scene::{Body, CsgOp, Object};
 use crate::source::{Diagnostic, Span};
@@ -17,7 +18,7 @@ impl Parser {
             if let Some(t) = self.transformation()? {
                 object.apply(&t);
             } else if !self.object_texture_item(object)? && !self.object_option(object)? {
-                return Err(self.unexpected("an object modifier or `}`"));
+                return Err(self.unexpected_item(&items::OBJECT));
             }
         }
         object.take_interior_from_finish();

@@ -2,6 +2,7 @@
 
 use super::image::ImageUse;
 use super::pattern::Place;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Normal, NormalKind};
 use crate::pattern::BlendMap;
@@ -21,7 +22,7 @@ impl Parser {
         self.expect(Keyword::Normal)?;
         self.expect_punct(Punct::LeftBrace)?;
         let normal = self.normal_body(base)?;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::NORMAL)?;
         Ok(normal)
     }
 
@@ -59,7 +60,7 @@ impl Parser {
                 self.next()?;
                 self.expect_punct(Punct::LeftBrace)?;
                 let (map, settings) = self.image_with_settings(ImageUse::Bumps)?;
-                self.expect_punct(Punct::RightBrace)?;
+                self.close_block(&items::BUMP_MAP)?;
                 normal.kind = NormalKind::Image(map);
                 normal.amount = settings.bump_size.unwrap_or(normal.amount);
             }

@@ -3,6 +3,7 @@
 use super::image::ImageUse;
 use super::pattern::Place;
 use crate::color::Color;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Pigment, PigmentKind, PigmentMap};
 use crate::pattern::{BlendMap, Pattern};
@@ -32,7 +33,7 @@ impl Parser {
         self.expect_punct(Punct::LeftBrace)?;
         let base = self.default_pigment(Place::Density);
         let density = self.pigment_body(base, Place::Density)?;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::DENSITY)?;
         Ok(Arc::new(density))
     }
 
@@ -46,7 +47,7 @@ impl Parser {
     pub(super) fn braced_pigment(&mut self, base: Pigment) -> Result<Pigment> {
         self.expect_punct(Punct::LeftBrace)?;
         let pigment = self.pigment_body(base, Place::Pigment)?;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::PIGMENT)?;
         Ok(pigment)
     }
 
@@ -102,7 +103,7 @@ impl Parser {
                 self.next()?;
                 self.expect_punct(Punct::LeftBrace)?;
                 let (map, _) = self.image_with_settings(ImageUse::Colors)?;
-                self.expect_punct(Punct::RightBrace)?;
+                self.close_block(&items::IMAGE_MAP)?;
                 pigment.kind = PigmentKind::Image(map);
             }
             Tok::Word(Keyword::Average) => {

@@ -88,7 +88,7 @@ impl Parser {
     fn top_level_object(&mut self) -> Result<()> {
         match self.object_statement()? {
             true => Ok(()),
-            false => Err(self.unexpected("an object or a directive")),
+            false => Err(self.unexpected_statement()),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use super::image::ImageUse;
 use super::pattern::Place;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Attached, Layer, NormalKind, PatternedKind, PatternedTexture, Texture};
 use crate::pattern::{BlendMap, Checker, Signal};
@@ -70,7 +71,7 @@ impl Parser {
         self.expect(word)?;
         self.expect_punct(Punct::LeftBrace)?;
         let texture = self.texture_body()?;
-        self.expect_punct(Punct::RightBrace)?;
+        self.close_block(&items::TEXTURE)?;
         Ok(texture)
     }
 

@@ -12,6 +12,7 @@ mod programs;
 mod queries;
 mod surface;
 mod textfiles;
+mod vocabulary;
 
 use super::options::{Options, SceneSource};
 use super::parser::{Parser, SceneBuilder};
