@@ -340,3 +340,46 @@ fn limits_and_strictness_are_options() {
     assert!(folder.glint(&["check", "new.pov"]).status.success());
     assert!(!folder.glint(&["check", "--strict=reference", "new.pov"]).status.success());
 }
+
+/// A picture of a type that is not decoded is black wherever it stands: one warning, one entry, and the render goes on.
+#[test]
+fn what_is_not_rendered_yet_is_said_once() {
+    let folder = Folder::new("unsupported");
+    let uses = [
+        "plane { y, 0 pigment { image_map { iff \"a.iff\" gamma 1 map_type 1 filter 3, 0.5 transmit all 0.1 } } }",
+        "plane { y, 1 normal { bump_map { iff \"b.iff\" interpolate 2 bump_size 2 } } }",
+        "plane { y, 2 pigment { image_pattern { iff \"c.iff\" premultiplied on use_alpha } } }",
+        "plane { y, 3 texture { material_map { iff \"d.iff\" texture { pigment { rgb 1 } } } } }",
+        "height_field { iff \"e.iff\" smooth water_level 0.1 }",
+    ];
+    for (i, text) in uses.iter().enumerate().chain([(uses.len(), &uses.concat().as_str())]) {
+        let name = format!("{i}.pov");
+        folder.write(&name, &format!("#version 3.7; global_settings {{ assumed_gamma 1 }} {text}"));
+        let done = folder.glint(&["render", "--json", "-W8", "-H6", &name]);
+        assert_eq!(code(&done), Some(0), "{text}: {}", stderr(&done));
+        let report: Value = serde_json::from_str(&stdout(&done)).unwrap();
+        assert_eq!(report["unsupported"], serde_json::json!(["an image of type `iff`"]), "{text}");
+        let said = "an image of type `iff` is not rendered yet: it is read and left out";
+        assert_eq!(report["warnings"].to_string().matches(said).count(), 1, "{text}: {report}");
+        assert!(folder.path(&format!("{i}.png")).is_file());
+        let done = folder.glint(&["check", "--strict", &name]);
+        assert_eq!(code(&done), Some(1), "{text}");
+        assert!(stderr(&done).contains("not rendered yet: an image of type `iff` (an error with --strict)"));
+    }
+    folder.write("wrong.pov", "plane { y, 0 pigment { image_map { iff \"a.iff\" wrong } } }");
+    assert_eq!(code(&folder.glint(&["check", "wrong.pov"])), Some(1));
+}
+
+/// The name of a file that is carried along, or that lies where it was looked for.
+#[test]
+fn misspelt_file_names_are_answered() {
+    let folder = Folder::new("misspelt");
+    folder.write("leaves.inc", "");
+    for (name, near) in [("colrs.inc", "colors.inc"), ("laeves.inc", "leaves.inc")] {
+        folder.write("s.pov", &format!("#include \"{name}\""));
+        let done = folder.glint(&["check", "--includes", "embedded", "s.pov"]);
+        assert!(stderr(&done).contains(&format!("did you mean `{near}`?")), "{}", stderr(&done));
+    }
+    folder.write("s.pov", "#include \"nothing_like_it.inc\"");
+    assert!(!stderr(&folder.glint(&["check", "s.pov"])).contains("did you mean"));
+}

@@ -16,7 +16,6 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
     ("cannot start threads:", "the system has no threads left"),
     ("current folder:", "the current folder was removed"),
     ("this program's own file:", "the program was removed while it runs"),
-    ("(an error with --strict)", "needs a feature that is not rendered; there may be none"),
 ];
 
 /// The folder that the table speaks of.
@@ -32,6 +31,7 @@ fn stage(name: &str) -> Folder {
     folder.write("bad.pov", "sphere { 0, 1 pigmet { rgb 1 } }");
     let save = "global_settings { assumed_gamma 1 photons { count 10 save_file \"none/x.ph\" } }";
     folder.write("photons.pov", &format!("#version 3.7; {save} {SPHERE}"));
+    folder.write("iff.pov", "plane { y, 0 pigment { image_map { iff \"im.iff\" } } }");
     folder.write("loop.ini", "loop.ini\n");
     folder.write("minus.ini", "-\n");
     folder.write("quote.ini", "Output_File_Name=\"o\n");
