@@ -141,6 +141,13 @@ fn mixed_syntaxes_show_the_translation() {
     let done = folder.glint(&["render", "a.pov", "+W320", "+H200", "--quality", "9"]);
     assert_eq!(code(&done), Some(2));
     assert!(stderr(&done).contains("glint render a.pov -W 320 -H 200 --quality 9"), "{}", stderr(&done));
+    for line in
+        [&["pov", "a.pov", "--json"][..], &["pov", "a.pov", "-W", "20"], &["+Ia.pov", "-A0.3", "--alpha"]]
+    {
+        let done = folder.glint(line);
+        assert_eq!(code(&done), Some(2), "{line:?}");
+        assert!(stderr(&done).contains("In Glint's syntax: glint render a.pov -"), "{}", stderr(&done));
+    }
 }
 
 #[test]

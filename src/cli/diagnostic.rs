@@ -1,8 +1,9 @@
 //! Diagnostics as the user sees them: source line, caret, the way that led there.
 
+use super::excerpt::Excerpt;
 use crate::source::{Diagnostic, FileId, Files, Label, Severity, Span};
 use codespan_reporting::diagnostic as drawn;
-use codespan_reporting::files::{Error, Files as DrawnFiles, line_starts};
+use codespan_reporting::files::{Error, Files as DrawnFiles};
 use codespan_reporting::term;
 use codespan_reporting::term::termcolor::{ColorChoice, StandardStream};
 use std::collections::HashMap;
@@ -18,7 +19,7 @@ pub fn show(diagnostic: &Diagnostic, files: &Files, ascii: bool) {
     let texts = Texts::of(diagnostic, files);
     let choice = if colored() { ColorChoice::Auto } else { ColorChoice::Never };
     let mut stderr = StandardStream::stderr(choice);
-    if term::emit_to_write_style(&mut stderr, &config(), &texts, &drawing(diagnostic)).is_err() {
+    if term::emit_to_write_style(&mut stderr, &config(), &texts, &drawing(diagnostic, &texts)).is_err() {
         eprintln!("{}", line(diagnostic, files));
     }
 }
@@ -26,7 +27,7 @@ pub fn show(diagnostic: &Diagnostic, files: &Files, ascii: bool) {
 /// The diagnostic as [`show`] draws it, without colours.
 pub fn render(diagnostic: &Diagnostic, files: &Files) -> String {
     let texts = Texts::of(diagnostic, files);
-    term::emit_into_string(&config(), &texts, &drawing(diagnostic))
+    term::emit_into_string(&config(), &texts, &drawing(diagnostic, &texts))
         .unwrap_or_else(|_| line(diagnostic, files))
 }
 
@@ -34,7 +35,7 @@ pub fn render(diagnostic: &Diagnostic, files: &Files) -> String {
 fn render_ascii(diagnostic: &Diagnostic, files: &Files) -> String {
     let texts = Texts::of(diagnostic, files);
     let config = term::Config { chars: term::Chars::ascii(), ..config() };
-    let drawn = term::emit_into_string(&config, &texts, &drawing(diagnostic));
+    let drawn = term::emit_into_string(&config, &texts, &drawing(diagnostic, &texts));
     let text = drawn.unwrap_or_else(|_| line(diagnostic, files)).replace('…', "...");
     text.chars().map(|c| if c.is_ascii() { c } else { '?' }).collect()
 }
@@ -65,15 +66,15 @@ fn config() -> term::Config {
     term::Config { tab_width: 4, ..term::Config::default() }
 }
 
-fn drawing(d: &Diagnostic) -> drawn::Diagnostic<u32> {
+fn drawing(d: &Diagnostic, texts: &Texts) -> drawn::Diagnostic<u32> {
     let severity = match d.severity {
         Severity::Error => drawn::Severity::Error,
         Severity::Warning => drawn::Severity::Warning,
         Severity::Note => drawn::Severity::Note,
     };
-    let primary = d.span.map(|s| drawn::Label::primary(s.file.0, range(s)).with_message(&d.label));
+    let primary = d.span.map(|s| drawn::Label::primary(s.file.0, texts.shown(s)).with_message(&d.label));
     let secondary =
-        |l: &Label| drawn::Label::secondary(l.span.file.0, range(l.span)).with_message(&l.message);
+        |l: &Label| drawn::Label::secondary(l.span.file.0, texts.shown(l.span)).with_message(&l.message);
     let labels = primary.into_iter().chain(d.labels.iter().chain(&d.trace).map(secondary)).collect();
     let notes = d.hint.iter().map(|h| format!("help: {h}")).collect();
     drawn::Diagnostic::new(severity).with_message(&d.message).with_labels(labels).with_notes(notes)
@@ -83,37 +84,32 @@ fn range(span: Span) -> Range<usize> {
     span.start as usize..(span.end as usize).max(span.start as usize)
 }
 
-/// The texts that a diagnostic points into, readable as UTF-8 with all bytes in their places.
+/// What is shown of the texts that a diagnostic points into.
 struct Texts<'a> {
     files: &'a Files,
-    texts: HashMap<u32, (String, Vec<usize>)>,
+    texts: HashMap<u32, Excerpt>,
 }
 
 impl<'a> Texts<'a> {
     fn of(diagnostic: &Diagnostic, files: &'a Files) -> Self {
-        let more = diagnostic.labels.iter().chain(&diagnostic.trace).map(|l| l.span.file);
-        let ids = diagnostic.span.map(|s| s.file).into_iter().chain(more);
-        let text = |id: FileId| {
-            let text = readable(files.text(id));
-            let starts = line_starts(&text).collect();
-            (id.0, (text, starts))
-        };
-        Self { files, texts: ids.map(text).collect() }
+        let more = diagnostic.labels.iter().chain(&diagnostic.trace).map(|l| l.span);
+        let mut spans = HashMap::<u32, Vec<_>>::new();
+        for span in diagnostic.span.into_iter().chain(more) {
+            spans.entry(span.file.0).or_default().push(range(span));
+        }
+        let excerpt = |(id, spans): (u32, Vec<_>)| (id, Excerpt::of(files.text(FileId(id)), &spans));
+        Self { files, texts: spans.into_iter().map(excerpt).collect() }
     }
 
-    fn get(&self, id: u32) -> Result<&(String, Vec<usize>), Error> {
+    fn get(&self, id: u32) -> Result<&Excerpt, Error> {
         self.texts.get(&id).ok_or(Error::FileMissing)
     }
-}
 
-/// The text with `?` for every byte that is not UTF-8.
-fn readable(bytes: &[u8]) -> String {
-    let mut out = String::with_capacity(bytes.len());
-    for chunk in bytes.utf8_chunks() {
-        out.push_str(chunk.valid());
-        out.extend(chunk.invalid().iter().map(|_| '?'));
+    /// A span's place in its excerpt.
+    fn shown(&self, span: Span) -> Range<usize> {
+        let place = range(span);
+        self.texts.get(&span.file.0).map_or(0..0, |e| e.shown(place.start)..e.shown(place.end))
     }
-    out
 }
 
 impl<'a> DrawnFiles<'a> for Texts<'_> {
@@ -126,18 +122,19 @@ impl<'a> DrawnFiles<'a> for Texts<'_> {
     }
 
     fn source(&'a self, id: u32) -> Result<&'a str, Error> {
-        Ok(&self.get(id)?.0)
+        Ok(&self.get(id)?.text)
     }
 
     fn line_index(&'a self, id: u32, byte: usize) -> Result<usize, Error> {
-        let starts = &self.get(id)?.1;
-        Ok(starts.partition_point(|&s| s <= byte).saturating_sub(1))
+        Ok(self.get(id)?.line_index(byte))
     }
 
     fn line_range(&'a self, id: u32, line: usize) -> Result<Range<usize>, Error> {
-        let (text, starts) = self.get(id)?;
-        let start = *starts.get(line).ok_or(Error::LineTooLarge { given: line, max: starts.len() })?;
-        Ok(start..starts.get(line + 1).copied().unwrap_or(text.len()))
+        Ok(self.get(id)?.line_range(line))
+    }
+
+    fn column_number(&'a self, id: u32, line: usize, byte: usize) -> Result<usize, Error> {
+        Ok(self.get(id)?.column(self.files.text(FileId(id)), line, byte))
     }
 }
 
@@ -184,6 +181,21 @@ mod tests {
         let d = Diagnostic::error(Span { file, start: 9, end: 14 }, "unknown word `caf\u{e9}` …");
         let text = render_ascii(&d, &files);
         assert!(text.is_ascii() && text.contains("unknown word `caf?` ...") && text.contains("^"), "{text}");
+    }
+
+    /// Scenes that programs write may be one line of megabytes.
+    #[test]
+    fn long_lines_are_cut() {
+        let around = "sphere { 0, 1 } ".repeat(200_000);
+        let (files, file) = files(format!("{around}spere{around}").as_bytes());
+        let start = around.len() as u32;
+        let d = Diagnostic::error(Span { file, start, end: start + 5 }, "unknown word").with_label("here");
+        let text = render_ascii(&d, &files);
+        assert!(text.len() < 1000, "{}", text.len());
+        assert!(text.contains(&format!("leaf.pov:1:{}", start + 1)), "{text}");
+        let column = |word: &str| text.lines().find_map(|l| l.find(word)).unwrap();
+        assert_eq!(column("spere"), column("^^^^^ here"), "{text}");
+        assert!(text.contains(" ...") && text.contains("...\n"), "{text}");
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod clock;
 mod compare;
 mod crosscheck;
 pub mod diagnostic;
+mod excerpt;
 mod exit;
 mod explain;
 mod golden;
