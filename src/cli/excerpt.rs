@@ -66,9 +66,10 @@ impl Excerpt {
     fn line(&mut self, text: &[u8], index: usize, line: Range<usize>, mut windows: Vec<Range<usize>>) {
         let shown = self.text.len();
         if line.len() <= WHOLE {
-            windows = vec![line.clone()];
+            windows.clear();
+            windows.push(line.clone());
         } else if windows.is_empty() {
-            windows = vec![line.start..line.start + WHOLE];
+            windows.push(line.start..line.start + WHOLE);
         }
         windows.sort_by_key(|w| w.start);
         let mut done = line.start;

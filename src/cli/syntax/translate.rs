@@ -100,7 +100,7 @@ fn takes(command: &str, option: &str) -> bool {
 
 /// The same with POV-Ray's switches, and what they lack. Only rendering can be asked for there.
 fn to_povray(line: &Sorted) -> (Option<String>, Vec<String>) {
-    if !line.command.as_deref().is_none_or(|c| c == "render") {
+    if line.command.as_deref().is_some_and(|c| c != "render") {
         return (None, Vec::new());
     }
     let mut words = vec!["glint".to_owned(), "pov".to_owned()];
