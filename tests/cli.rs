@@ -281,6 +281,11 @@ fn compare_measures_and_judges() {
     assert_eq!(differs["off_by_8_share"], 1.0);
     assert_eq!(image::open(folder.path("d.png")).unwrap().to_rgb8().get_pixel(3, 3).0, [80; 3]);
     assert_eq!(code(&folder.glint(&["compare", "a.png", "b.png", "--min-psnr", "28.2"])), Some(1));
+    assert_eq!(code(&folder.glint(&["compare", "a.png", "b.png", "--diff", "d.jpg"])), Some(2));
+    assert!(!folder.path("d.jpg").exists());
+    let words = folder.glint(&["compare", "a.png", "a.png"]);
+    let words = String::from_utf8_lossy(&words.stdout).into_owned();
+    assert!(words.contains("PSNR in light       infinite (the pictures are equal) (RMSE 0.00000"), "{words}");
     let sizes = folder.glint(&["compare", "a.png", "small.png"]);
     assert_eq!(code(&sizes), Some(1));
     assert!(stderr(&sizes).contains("16x16 and 4x4"));

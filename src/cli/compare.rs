@@ -3,6 +3,7 @@
 use super::args::CompareArgs;
 use super::exit::{Exit, Failure};
 use super::json;
+use super::output::Format;
 use crate::picture::compare::{self, Difference};
 use crate::picture::light::{self, LightError};
 use crate::picture::{Output, load};
@@ -22,6 +23,9 @@ struct Report {
 }
 
 pub fn run(args: &CompareArgs) -> Result<Exit, Failure> {
+    if let Some(path) = &args.diff {
+        Format::png_only(path)?;
+    }
     let (a, b) = (load::load(&args.a)?, load::load(&args.b)?);
     let difference = compare::compare(&a, &b).map_err(Failure::failed)?;
     let (perceptual, light) = (compare::perceptual(&a, &b), light::compare_values(&a, &b));
@@ -50,7 +54,9 @@ pub fn decibels(psnr: Option<f64>) -> String {
 
 fn text(report: &Report) -> String {
     let d = &report.difference;
-    let psnr = d.psnr_db.map_or("infinite (the pictures are equal)".into(), |db| format!("{db:.2} dB"));
+    let in_words =
+        |db: Option<f64>| db.map_or("infinite (the pictures are equal)".into(), |db| format!("{db:.2} dB"));
+    let (psnr, light) = (in_words(d.psnr_db), in_words(report.light.psnr_db));
     let perceptual = report.perceptual.map_or("-".into(), |p| format!("{p:.4}"));
     format!(
         "PSNR                {psnr}\n\
@@ -58,11 +64,10 @@ fn text(report: &Report) -> String {
          largest difference  {} of 255\n\
          off by more than 8  {:.3} % of pixels\n\
          perceptual          {perceptual} (structure and chroma, 1 = equal)\n\
-         PSNR in light       {} dB (RMSE {:.5}, worst tile {:.5})\n",
+         PSNR in light       {light} (RMSE {:.5}, worst tile {:.5})\n",
         d.rmse,
         (d.max_abs * 1000.0).round() / 1000.0,
         d.off_by_8_share * 100.0,
-        decibels(report.light.psnr_db),
         report.light.rmse,
         report.light.worst_tile_rmse,
     )

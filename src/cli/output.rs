@@ -28,6 +28,14 @@ impl Format {
         }
     }
 
+    /// Refuses a name that promises anything but a PNG picture.
+    pub fn png_only(path: &Path) -> Result<(), Failure> {
+        match Format::of(path) {
+            Ok(Format::Png) => Ok(()),
+            _ => Err(Failure::usage(format!("{}: this picture is written as .png only", path.display()))),
+        }
+    }
+
     fn of(path: &Path) -> Result<Format, Failure> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         match extension.as_str() {
