@@ -140,3 +140,17 @@ fn pov_rays_command_line_has_the_same_folders() {
         assert_eq!(code(&done), Some(exit), "{options:?}: {}", stderr(&done));
     }
 }
+
+/// Writing to a pipe would wait for a reader for ever.
+#[test]
+#[cfg(unix)]
+fn only_plain_files_are_written() {
+    let folder = stage("plain");
+    let made = std::process::Command::new("mkfifo").arg(folder.path("own/pipe")).status().unwrap();
+    assert!(made.success());
+    for how in ["write", "append"] {
+        let done = check(&folder, &format!("#fopen F \"pipe\" {how}"), &[]);
+        assert_eq!(code(&done), Some(1));
+        assert!(stderr(&done).contains("cannot open `pipe`: it is no plain file"), "{}", stderr(&done));
+    }
+}

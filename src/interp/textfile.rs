@@ -53,6 +53,10 @@ impl Parser {
     fn open_writer(&mut self, name: &str, append: bool, span: Span) -> Result<TextFile> {
         let path = PathBuf::from(name);
         self.check_place(&path, Access::Write, span)?;
+        if path.metadata().is_ok_and(|there| !there.is_file()) {
+            let message = format!("cannot open `{name}`: it is no plain file");
+            return Err(Box::new(Diagnostic::error(span, message)));
+        }
         let mut how = OpenOptions::new();
         how.create(true);
         if append {

@@ -98,6 +98,10 @@ impl Chords {
         margin.is_finite() && (a.t - b.t).abs() <= margin
     }
 
+    fn of(probe: &Probe) -> Chords {
+        Chords { common: Common::line(), holes: SmallVec::new(), size: probe.size() }
+    }
+
     /// Appends all crossings; false if they are not plain.
     fn all(&self, range: Range, all: &mut Vec<Found>) -> bool {
         let Common { enter, leave, enter_before, leave_behind } = self.common;
@@ -174,10 +178,8 @@ impl Chords {
 impl Compound {
     /// The nearest crossing of an intersection inside `range`, where that is plain.
     pub fn glance(&self, geometry: &Geometry, probe: &Probe, range: Range) -> Glance {
-        match self.chords(geometry, probe, range) {
-            Ok(chords) => chords.nearest(range),
-            Err(glance) => glance,
-        }
+        let mut chords = Chords::of(probe);
+        self.gather(geometry, probe, range, &mut chords).unwrap_or_else(|| chords.nearest(range))
     }
 
     /// Appends all crossings of an intersection inside `range`, in no order; false if they are not plain.
@@ -192,46 +194,52 @@ impl Compound {
             return false;
         }
         let Some(range) = self.within(probe, range) else { return true };
-        match self.chords(geometry, probe, range) {
-            Ok(chords) => chords.all(range, all),
-            Err(Glance::Nothing) => true,
-            Err(_) => false,
+        let mut chords = Chords::of(probe);
+        match self.gather(geometry, probe, range, &mut chords) {
+            None => chords.all(range, all),
+            Some(Glance::Nothing) => true,
+            Some(_) => false,
         }
     }
 
-    /// What the children say, unless that tells already what there is.
-    #[inline]
-    fn chords(&self, geometry: &Geometry, probe: &Probe, range: Range) -> Result<Chords, Glance> {
+    /// Takes in what the children say, unless that tells already what there is.
+    #[inline(always)]
+    fn gather(
+        &self,
+        geometry: &Geometry,
+        probe: &Probe,
+        range: Range,
+        chords: &mut Chords,
+    ) -> Option<Glance> {
         if !self.clips.is_empty() {
-            return Err(Glance::Unsure);
+            return Some(Glance::Unsure);
         }
-        let mut chords = Chords { common: Common::line(), holes: SmallVec::new(), size: probe.size() };
         for child in &self.children {
-            let Solid::Leaf(leaf) = child.solid else { return Err(Glance::Unsure) };
+            let Solid::Leaf(leaf) = child.solid else { return Some(Glance::Unsure) };
             if child.tight && !probe.meets(&child.reach, range) {
                 if child.extent.outside {
                     continue;
                 }
-                return Err(Glance::Nothing);
+                return Some(Glance::Nothing);
             }
             let Some((chord, length)) = geometry.chord(child.solid, probe.ray, range) else {
-                return Err(Glance::Unsure);
+                return Some(Glance::Unsure);
             };
             let end = |(local, part): (f64, u32)| End { t: local / length, local, part, leaf };
             let (enter, leave) = (end(chord.span.enter), end(chord.span.leave));
             if enter.t > leave.t {
                 // Nothing of the line is in the span.
                 if !chord.beyond {
-                    return Err(Glance::Nothing);
+                    return Some(Glance::Nothing);
                 }
             } else if chords.are_close(enter, leave) {
-                return Err(Glance::Unsure);
+                return Some(Glance::Unsure);
             } else if chord.beyond {
                 chords.holes.push((enter, leave));
             } else {
                 chords.common.cut(enter, leave);
             }
         }
-        Ok(chords)
+        None
     }
 }

@@ -32,7 +32,8 @@ impl Geometry {
         }
     }
 
-    /// The same, and all that the ray crosses where nothing stops it.
+    /// The same, and all that the ray crosses where nothing stops it. Apart, so that the short way stays short.
+    #[inline(never)]
     pub fn obstacle_and_all(
         &self,
         ray: &Ray,

@@ -27,6 +27,9 @@ struct Items {
     transform: Transform,
 }
 
+/// What a place on a lens comes to.
+const LENS_BYTES: u64 = 64;
+
 impl Parser {
     /// `camera { … }`; the word is the next token.
     pub(crate) fn camera_statement(&mut self) -> Result<Camera> {
@@ -241,6 +244,7 @@ impl Parser {
                 self.demand(most > 0, self.last_span(), "focal blur needs samples")?;
                 let text = "focal blur has fewer samples at most than at least";
                 self.demand(least <= most, self.last_span(), text)?;
+                self.reserve(LENS_BYTES * u64::from(most), self.last_span())?;
             }
             Keyword::Confidence => {
                 self.next()?;

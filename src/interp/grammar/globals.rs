@@ -12,6 +12,9 @@ use crate::syntax::{Keyword, Punct, Tok, Token};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// What a direction of radiosity comes to, with what is found along it.
+const DIRECTION_BYTES: u64 = 96;
+
 impl Parser {
     fn not_a_setting(&mut self, token: Token, items: &Items) -> Box<Diagnostic> {
         match token.tok {
@@ -154,7 +157,7 @@ impl Parser {
             let Tok::Word(word) = token.tok else { return Err(self.not_a_setting(token, &items::RADIOSITY)) };
             match word {
                 Keyword::Count => {
-                    r.count = self.whole(1.0, f64::from(u32::MAX))?;
+                    r.count = self.whole(1.0, f64::from(i32::MAX))?;
                     let pool = if self.accept_punct(Punct::Comma)? { Some(self.float()?) } else { None };
                     let enough = pool.is_none_or(|p| p.trunc() >= f64::from(r.count));
                     self.demand(
@@ -163,6 +166,7 @@ impl Parser {
                         "the pool of directions is smaller than the count",
                     )?;
                     r.pool = pool.map_or(1600, |p| p as u32).max(r.count);
+                    self.reserve(DIRECTION_BYTES * u64::from(r.pool), self.last_span())?;
                 }
                 Keyword::NearestCount => {
                     r.nearest_count = self.whole(1.0, 20.0)?;
