@@ -25,18 +25,30 @@ pub struct Quadric {
     products: Vec3,
     linear: Vec3,
     constant: f64,
+    /// Whether there are any products.
+    mixed: bool,
     /// 1, or -1 after `inverse`: keeps the normal as it was.
     facing: f64,
 }
 
 impl Quadric {
     pub fn new(squares: Vec3, products: Vec3, linear: Vec3, constant: f64) -> Self {
-        Self { squares, products, linear, constant, facing: 1.0 }
+        Self { squares, products, linear, constant, mixed: products != Vec3::ZERO, facing: 1.0 }
     }
 
+    #[inline]
     fn value(&self, p: Vec3) -> f64 {
-        let mixed = Vec3::new(p.x * p.y, p.x * p.z, p.y * p.z);
-        self.squares.dot(p * p) + self.products.dot(mixed) + self.linear.dot(p) + self.constant
+        self.form(p) + self.linear.dot(p) + self.constant
+    }
+
+    /// The squares and products of the left side.
+    #[inline]
+    fn form(&self, p: Vec3) -> f64 {
+        let squares = self.squares.dot(p * p);
+        if !self.mixed {
+            return squares;
+        }
+        squares + self.products.dot(Vec3::new(p.x * p.y, p.x * p.z, p.y * p.z))
     }
 
     /// Sum of the terms' sizes at `p`.
@@ -47,28 +59,29 @@ impl Quadric {
         terms + self.linear.abs().dot(p) + self.constant.abs()
     }
 
+    #[inline]
     fn gradient(&self, p: Vec3) -> Vec3 {
+        if !self.mixed {
+            return 2.0 * self.squares * p + self.linear;
+        }
         let m = self.products;
         let mixed = Vec3::new(m.x * p.y + m.y * p.z, m.x * p.x + m.z * p.z, m.y * p.x + m.z * p.y);
         2.0 * self.squares * p + mixed + self.linear
     }
 
-    /// The second-order part for a direction.
-    fn curvature(&self, d: Vec3) -> f64 {
-        self.squares.dot(d * d) + self.products.dot(Vec3::new(d.x * d.y, d.x * d.z, d.y * d.z))
-    }
-
-    /// The line's crossings in order, before refinement; infinite where there is only one.
-    fn roots(&self, ray: &Ray) -> Option<[f64; 2]> {
+    /// The line's crossings in order, those near `range` refined; infinite where there is only one.
+    #[inline]
+    fn distances(&self, ray: &Ray, range: Range) -> Option<[f64; 2]> {
         let shift = -ray.origin.dot(ray.dir);
-        self.roots_of(self.along(ray, shift), shift)
+        let [first, last] = self.roots_of(self.along(ray, shift), shift)?;
+        Some([self.refined(ray, first, range), self.refined(ray, last, range)])
     }
 
     /// Curvature, half the slope and the value at the ray's point at `shift`.
     #[inline]
     fn along(&self, ray: &Ray, shift: f64) -> [f64; 3] {
         let p = ray.at(shift);
-        [self.curvature(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p)]
+        [self.form(ray.dir), 0.5 * self.gradient(p).dot(ray.dir), self.value(p)]
     }
 
     #[inline]
@@ -99,7 +112,7 @@ impl Quadric {
 
     /// The bounds of an ellipsoid or, along the axes, of a cylinder; infinite for everything else.
     fn surface_bounds(&self) -> Aabb {
-        if self.products == Vec3::ZERO { self.aligned_bounds() } else { self.turned_bounds() }
+        if self.mixed { self.turned_bounds() } else { self.aligned_bounds() }
     }
 
     fn aligned_bounds(&self) -> Aabb {
@@ -202,7 +215,7 @@ impl Shape for Quadric {
 
     fn within(&self, region: &Aabb) -> Aabb {
         let mut left = region.intersection(self.inside_bounds());
-        if self.products == Vec3::ZERO {
+        if !self.mixed {
             for axis in 0..3 {
                 if let Some((low, high)) = self.narrowed(axis, &left) {
                     (left.min[axis], left.max[axis]) = (left.min[axis].max(low), left.max[axis].min(high));
@@ -213,20 +226,23 @@ impl Shape for Quadric {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let Some(roots) = self.roots(ray) else { return };
-        let first = out.len();
-        let exact = roots.into_iter().map(|t| self.refined(ray, t, range));
-        out.extend(exact.filter(|&t| range.contains(t)).map(Crossing::new));
-        if let [a, b] = &mut out[first..]
-            && a.t > b.t
-        {
-            std::mem::swap(a, b);
+        let Some([a, b]) = self.distances(ray, range) else { return };
+        for t in [a.min(b), a.max(b)] {
+            if range.contains(t) {
+                out.push(Crossing::new(t));
+            }
         }
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut exact = self.roots(ray)?.into_iter().map(|t| self.refined(ray, t, range));
-        exact.find(|&t| range.contains(t)).map(Crossing::new)
+        let shift = -ray.origin.dot(ray.dir);
+        let [first, last] = self.roots_of(self.along(ray, shift), shift)?;
+        let first = self.refined(ray, first, range);
+        if range.contains(first) {
+            return Some(Crossing::new(first));
+        }
+        let last = self.refined(ray, last, range);
+        range.contains(last).then(|| Crossing::new(last))
     }
 
     fn chord(&self, ray: &Ray, range: Range) -> Option<Chord> {
@@ -257,6 +273,7 @@ impl Shape for Quadric {
             products: -self.products,
             linear: -self.linear,
             constant: -self.constant,
+            mixed: self.mixed,
             facing: -self.facing,
         }))
     }

@@ -17,7 +17,7 @@ use crate::math::{Aabb, Range, Ray, Vec3};
 use smallvec::SmallVec;
 
 /// So many boxes are better tested all at once than one by one.
-const SEVERAL: usize = 4;
+const SEVERAL: usize = 2;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Op {

@@ -1,5 +1,7 @@
 use crate::math::{Aabb, Range, Ray, Vec3};
 use glam::Vec3A;
+#[cfg(target_arch = "x86_64")]
+use std::arch::x86_64::*;
 
 /// A box in single precision, rounded outward.
 #[derive(Clone, Copy, Debug)]
@@ -125,13 +127,30 @@ impl<'r> Probe<'r> {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn each_wide(&self, octet: &Octet, range: Range) -> (u32, [f32; AT_ONCE]) {
-        self.each(octet, range)
+        let all = |v: f32| _mm256_set1_ps(v);
+        let (mut near, mut far) = (all(range.min as f32), all(range.max as f32));
+        for axis in 0..3 {
+            let (start, end) = (self.origin[axis] + self.pad[axis], self.origin[axis] - self.pad[axis]);
+            let inverse = all(self.inverse[axis]);
+            let u = _mm256_mul_ps(_mm256_sub_ps(eight(&octet.min[axis]), all(start)), inverse);
+            let v = _mm256_mul_ps(_mm256_sub_ps(eight(&octet.max[axis]), all(end)), inverse);
+            near = _mm256_max_ps(_mm256_min_ps(u, v), near);
+            far = _mm256_min_ps(_mm256_max_ps(u, v), far);
+        }
+        let size = |v: __m256| _mm256_andnot_ps(all(-0.0), v);
+        near = _mm256_sub_ps(near, _mm256_mul_ps(size(near), all(SLACK)));
+        far = _mm256_add_ps(far, _mm256_mul_ps(size(far), all(SLACK)));
+        let mask = _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(near, far)) as u32;
+        let mut distances = [0.0; AT_ONCE];
+        // SAFETY: eight singles are written to a list of eight; stores need no alignment.
+        #[allow(unsafe_code)]
+        unsafe {
+            _mm256_storeu_ps(distances.as_mut_ptr(), near);
+        }
+        (mask & octet.used, distances)
     }
 
-    #[inline(always)]
     fn each(&self, octet: &Octet, range: Range) -> (u32, [f32; AT_ONCE]) {
-        let lesser = |a: f32, b: f32| if a < b { a } else { b };
-        let greater = |a: f32, b: f32| if a > b { a } else { b };
         let (mut near, mut far) = ([range.min as f32; AT_ONCE], [range.max as f32; AT_ONCE]);
         for axis in 0..3 {
             let (start, end) = (self.origin[axis] + self.pad[axis], self.origin[axis] - self.pad[axis]);
@@ -163,10 +182,27 @@ impl<'r> Probe<'r> {
     fn ends(&self, b: &Reach, range: Range) -> (f32, f32) {
         let u = (b.min - self.pad - self.origin) * self.inverse;
         let v = (b.max + self.pad - self.origin) * self.inverse;
-        let near = u.min(v).max_element().max(range.min as f32);
-        let far = u.max(v).min_element().min(range.max as f32);
+        let near = greater(u.min(v).max_element(), range.min as f32);
+        let far = lesser(u.max(v).min_element(), range.max as f32);
         (near - near.abs() * SLACK, far + far.abs() * SLACK)
     }
+}
+
+#[inline]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+#[inline]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline]
+fn eight(v: &[f32; AT_ONCE]) -> __m256 {
+    _mm256_setr_ps(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7])
 }
 
 #[cfg(test)]
@@ -232,7 +268,9 @@ mod tests {
             let octets = Octet::list(boxes.iter().map(Reach::new));
             prop_assert_eq!(octets.len(), 2);
             for (i, b) in boxes.iter().enumerate() {
-                let (mask, _) = probe.meets_each(&octets[i / AT_ONCE], Range::FORWARD);
+                let (mask, near) = probe.meets_each(&octets[i / AT_ONCE], Range::FORWARD);
+                let (same, as_near) = probe.each(&octets[i / AT_ONCE], Range::FORWARD);
+                prop_assert_eq!((mask, near.map(f32::to_bits)), (same, as_near.map(f32::to_bits)));
                 let met = mask >> (i % AT_ONCE) & 1 == 1;
                 prop_assert!(met || !probe.meets(&Reach::new(b), Range::FORWARD));
                 prop_assert!(!met || probe.meets(&grown(b), Range::FORWARD));
