@@ -71,6 +71,9 @@ impl Tracer<'_> {
         let Some(behind) = look.is_lit_from_behind(direction, site.hit.double_illuminate) else {
             return Rgb::ZERO;
         };
+        if !self.may_answer(site, look, direction, behind, false) {
+            return Rgb::ZERO;
+        }
         let mut color = source.light.color;
         if self.settings.quality >= 4 {
             let ray = site.departure().ray(direction);
@@ -94,6 +97,9 @@ impl Tracer<'_> {
         let Some(behind) = look.is_lit_from_behind(towards.0, site.hit.double_illuminate) else {
             return Rgb::ZERO;
         };
+        if !self.may_answer(site, look, towards.0, behind, light.shadowless) {
+            return Rgb::ZERO;
+        }
         let Some(arrival) = light.arrival_from(point, Vec3::ZERO, towards) else { return Rgb::ZERO };
         let color = match kept.and_then(|k| self.lit[k]) {
             Some(color) => color,
@@ -139,6 +145,19 @@ impl Tracer<'_> {
         sum
     }
 
+    /// Whether the layer sends anything to the viewer of light from direction `l`: clear glass mostly does not, and
+    /// then it is of no account what stands in the light's way.
+    #[inline]
+    fn may_answer(&self, site: &Site, look: &Look, l: Vec3, behind: bool, shadowless: bool) -> bool {
+        let f = look.finish;
+        let diffuse = if behind { f.diffuse_back } else { f.diffuse };
+        let scatters = f.crand != 0.0 || (look.opacity != 0.0 && look.color != Rgb::ZERO);
+        if diffuse > 0.0 && scatters && !self.is_translucent(look) {
+            return true;
+        }
+        highlight_of(site, look, l, behind, shadowless) > 0.0
+    }
+
     /// What the layer sends to the viewer of light `color` from direction `l`.
     pub(super) fn answer(
         &mut self,
@@ -166,25 +185,32 @@ impl Tracer<'_> {
             }
             sum += look.color * color * share;
         }
-        let v = site.ray.dir;
-        let shines = f.phong > 0.0 || f.specular > 0.0;
-        if shines && !shadowless && !behind && site.path.class != RayClass::Radiosity {
-            let strength = highlight::strength(f, v, look.normal, l);
-            if strength > 0.0 {
-                let tint = if f.metallic == 0.0 {
-                    Rgb::ONE
-                } else {
-                    highlight::metallic_tint(f.metallic, c, look.color)
-                };
-                sum += strength * color * tint;
-            }
+        let strength = highlight_of(site, look, l, behind, shadowless);
+        if strength > 0.0 {
+            let tint = if f.metallic == 0.0 {
+                Rgb::ONE
+            } else {
+                highlight::metallic_tint(f.metallic, c, look.color)
+            };
+            sum += strength * color * tint;
         }
         if f.irid > 0.0 {
             let film = iridescence::film(f, site.hit.point, self.context.noise);
-            let cosines = c.abs() + look.normal.dot(v).abs();
+            let cosines = c.abs() + look.normal.dot(site.ray.dir).abs();
             let wavelength = self.world.scene.globals.irid_wavelength;
             sum *= iridescence::factor(f.irid, film, cosines, wavelength);
         }
         sum
     }
+}
+
+/// The strength of a layer's highlights for light from direction `l`.
+#[inline]
+fn highlight_of(site: &Site, look: &Look, l: Vec3, behind: bool, shadowless: bool) -> f32 {
+    let f = look.finish;
+    let shines = f.phong > 0.0 || f.specular > 0.0;
+    if !shines || shadowless || behind || site.path.class == RayClass::Radiosity {
+        return 0.0;
+    }
+    highlight::strength(f, site.ray.dir, look.normal, l)
 }
