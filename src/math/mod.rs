@@ -19,6 +19,7 @@ mod spline;
 #[cfg(test)]
 pub mod strategy;
 mod transform;
+mod whole;
 
 pub use aabb::Aabb;
 pub use accelerator::{Accelerator, AnyHit};
@@ -28,6 +29,7 @@ pub use ray::Ray;
 pub use shaft::Shaft;
 pub use spline::{Spline, SplineKind, SplineValue};
 pub use transform::Transform;
+pub use whole::{floor, floor_of, is_odd};
 
 /// A point or vector in space.
 pub type Vec3 = glam::DVec3;

@@ -1,6 +1,6 @@
 use super::{Character, EDGE, Pattern, Setting, listed};
 use crate::color::Color;
-use crate::math::Vec3;
+use crate::math::{Vec3, floor_of, is_odd};
 
 /// Unit cubes of two kinds in turn.
 #[derive(Clone, Copy, Debug)]
@@ -8,8 +8,8 @@ pub struct Checker;
 
 impl Pattern for Checker {
     fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
-        let cell = (p + Vec3::splat(EDGE)).floor();
-        f64::from((cell.x + cell.y + cell.z).rem_euclid(2.0) != 0.0)
+        let cell = floor_of(p + Vec3::splat(EDGE));
+        f64::from(is_odd(cell.x + cell.y + cell.z))
     }
 
     fn character(&self) -> Character {

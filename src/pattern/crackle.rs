@@ -19,8 +19,8 @@
 use super::lattice_points::{GROUPS, Neighbourhood};
 use super::nook::{self, Four};
 use super::{EDGE, Modifier, Pattern, Setting};
-use crate::math::Vec3;
 use crate::math::noise::noise;
+use crate::math::{Vec3, floor_of};
 use std::sync::Arc;
 
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +133,7 @@ impl Crackle {
 
 /// The lowest corner of the cell around a point.
 fn cell(p: Vec3) -> Vec3 {
-    (p - Vec3::splat(EDGE)).floor()
+    floor_of(p - Vec3::splat(EDGE))
 }
 
 fn lower(a: f64, b: f64) -> f64 {

@@ -8,8 +8,8 @@
 
 use super::lattice_points::{GROUPS, Neighbourhood};
 use super::{EDGE, Modifier, Pattern, Setting};
-use crate::math::Vec3;
 use crate::math::noise::vector_noise;
+use crate::math::{Vec3, floor_of};
 use std::sync::Arc;
 
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Facets {
 
     fn nearest(&self, b: Vec3) -> Vec3 {
         let (mut least, mut at) = (f64::INFINITY, b);
-        Neighbourhood::around((b - Vec3::splat(EDGE)).floor(), |cells| {
+        Neighbourhood::around(floor_of(b - Vec3::splat(EDGE)), |cells| {
             for group in 0..GROUPS {
                 if group > 0 && self.metric == 2.0 && cells.gap(group, b).powi(2) >= least {
                     continue;

@@ -1,6 +1,6 @@
 use super::{Character, Pattern, Setting, listed};
 use crate::color::Color;
-use crate::math::Vec3;
+use crate::math::{Vec3, floor};
 
 /// Hexagons of side 1 in the xz plane, of three kinds.
 #[derive(Clone, Copy, Debug)]
@@ -13,9 +13,9 @@ const HALF_HEIGHT: f64 = 0.866025404;
 impl Pattern for Hexagon {
     fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
         let z = if p.z < 0.0 { 6.0 * HALF_HEIGHT - p.z.abs() } else { p.z };
-        let reduced = |v: f64| v - 6.0 * (v / 6.0).floor();
+        let reduced = |v: f64| v - 6.0 * floor(v / 6.0);
         let (a, b) = (reduced(p.x.abs() / HALF_SIDE), reduced(z / HALF_HEIGHT));
-        let (column, row) = (a.floor(), b.floor());
+        let (column, row) = (floor(a), floor(b));
         let (i, j) = ((column as usize).min(5), (row as usize).min(5));
         match i {
             0 | 5 => [0.0, 1.0, 1.0, 2.0, 2.0, 0.0][j],

@@ -94,7 +94,7 @@ pub use wrinkles::Wrinkles;
 
 use crate::color::Color;
 use crate::function::Surroundings;
-use crate::math::{Vec2, Vec3};
+use crate::math::{Vec2, Vec3, floor};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -259,6 +259,6 @@ fn falloff(distance: f64) -> f64 {
 
 /// The triangle wave: 0 at whole numbers, 1 half way between.
 fn triangle(v: f64) -> f64 {
-    let u = v - v.floor();
+    let u = v - floor(v);
     if u < 0.5 { 2.0 * u } else { 2.0 * (1.0 - u) }
 }

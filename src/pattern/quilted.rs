@@ -1,5 +1,5 @@
 use super::{Character, Modifier, Pattern, Setting};
-use crate::math::Vec3;
+use crate::math::{Vec3, floor};
 use std::sync::Arc;
 
 /// Unit cubes that bulge.
@@ -24,8 +24,8 @@ impl Quilted {
     /// The place relative to the middle of its cube.
     fn offset(p: Vec3) -> Vec3 {
         // Below 0 cubes own their upper faces' lower neighbours: -1 counts to the cube -2 .. -1.
-        let floor = |t: f64| if t >= 0.0 { t.floor() } else { -(-t).floor() - 1.0 };
-        p - Vec3::new(floor(p.x), floor(p.y), floor(p.z)) - Vec3::splat(0.5)
+        let cube = |t: f64| if t >= 0.0 { floor(t) } else { -floor(-t) - 1.0 };
+        p - Vec3::new(cube(p.x), cube(p.y), cube(p.z)) - Vec3::splat(0.5)
     }
 
     /// A cubic curve over the distance from the middle.

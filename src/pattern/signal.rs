@@ -1,7 +1,7 @@
 use super::{Bozo, Chain, Context, NoiseGenerator, Pattern, Setting, Turbulence, Wave};
 use crate::function::Surroundings;
 use crate::math::field::Field;
-use crate::math::{Transform, Vec3};
+use crate::math::{Transform, Vec3, floor};
 use std::sync::Arc;
 
 /// A pattern as pigments, normals and textures use it: warped, repeated by a frequency, shaped by a wave.
@@ -152,7 +152,7 @@ impl Signal {
             v = remainder(v);
         }
         if v < 0.0 {
-            v -= v.floor();
+            v -= floor(v);
         }
         self.wave.shape(v)
     }

@@ -1,6 +1,6 @@
 use super::{Character, Pattern, Setting, listed};
 use crate::color::Color;
-use crate::math::Vec3;
+use crate::math::{Vec3, floor, is_odd};
 
 /// Unit squares in the xz plane, of four kinds.
 #[derive(Clone, Copy, Debug)]
@@ -8,7 +8,7 @@ pub struct Square;
 
 impl Pattern for Square {
     fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
-        let odd = |v: f64| v.floor().rem_euclid(2.0) != 0.0;
+        let odd = |v: f64| is_odd(floor(v));
         match (odd(p.x), odd(p.z)) {
             (false, false) => 0.0,
             (false, true) => 1.0,

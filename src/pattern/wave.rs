@@ -1,4 +1,5 @@
 use super::triangle;
+use crate::math::floor;
 use std::f64::consts::PI;
 
 /// The shape that a wave gives to each period of a pattern.
@@ -19,10 +20,10 @@ impl Wave {
         match self {
             Wave::Ramp => v,
             Wave::Triangle => triangle(v),
-            Wave::Sine => 0.5 * (1.0 + (2.0 * PI * (v - v.floor())).sin()),
+            Wave::Sine => 0.5 * (1.0 + (2.0 * PI * (v - floor(v))).sin()),
             Wave::Scallop => {
                 let half = 0.5 * v;
-                (2.0 * PI * (half - half.floor())).sin().abs()
+                (2.0 * PI * (half - floor(half))).sin().abs()
             }
             Wave::Cubic => v * v * (3.0 - 2.0 * v),
             Wave::Poly(exponent) => v.powf(exponent),

@@ -2,6 +2,7 @@
 //! scenes with large trees. The same for shadow rays that come to one lamp out of one direction was measured: their
 //! way starts among the leaves, where nothing is saved.
 
+use crate::math::floor;
 use crate::world::{Sight, World};
 
 /// Side of a square of the picture, in pixels.
@@ -39,7 +40,7 @@ impl Sights {
         if self.squares.is_empty() {
             return None;
         }
-        let place = ((x * (1.0 / SIDE)).floor() as i64, (y * (1.0 / SIDE)).floor() as i64);
+        let place = (floor(x * (1.0 / SIDE)) as i64, floor(y * (1.0 / SIDE)) as i64);
         let within = |i: i64| i as usize % SQUARES;
         let square = &mut self.squares[within(place.1) * SQUARES + within(place.0)];
         if square.place != Some(place) {

@@ -9,7 +9,7 @@
 
 use super::Image;
 use crate::color::{Color, Rgb, grey};
-use crate::math::{Vec2, Vec3};
+use crate::math::{Vec2, Vec3, floor};
 use crate::pattern::warp::polar;
 use std::sync::Arc;
 
@@ -65,7 +65,7 @@ const EDGE: f64 = 1e-10;
 
 /// `v` wrapped to 0..size.
 fn wrap(v: f64, size: f64) -> f64 {
-    let w = v - size * (v / size).floor();
+    let w = v - size * floor(v / size);
     if (0.0..size).contains(&w) { w } else { 0.0 }
 }
 

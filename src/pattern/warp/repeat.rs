@@ -1,4 +1,4 @@
-use crate::math::Vec3;
+use crate::math::{Vec3, floor, is_odd};
 
 /// Tiles of one width along one axis.
 ///
@@ -18,9 +18,9 @@ pub struct Repeat {
 impl Repeat {
     #[inline]
     pub fn apply(&self, mut p: Vec3) -> Vec3 {
-        let tile = (p[self.axis] / self.width).floor();
+        let tile = floor(p[self.axis] / self.width);
         p[self.axis] -= tile * self.width;
-        if tile.rem_euclid(2.0) == 1.0 {
+        if is_odd(tile) {
             for axis in 0..3 {
                 if self.flip[axis] {
                     p[axis] = -p[axis];
