@@ -71,7 +71,28 @@ impl Tracer<'_> {
     }
 
     /// What is left of `color` along `ray`, whose lamp is `distance` away.
+    #[inline]
     pub(super) fn transmitted(
+        &mut self,
+        ray: &Ray,
+        distance: f64,
+        inside: &Interiors,
+        source: &WorldLight,
+        color: Rgb,
+    ) -> Rgb {
+        if self.needs.filters || source.projected_through.is_some() || source.light.shadowless {
+            return self.transmitted_filtered(ray, distance, inside, source, color);
+        }
+        self.counters.shadow_rays += 1;
+        let end = lamp_end(ray, distance);
+        let last = &mut self.blockers[source.number as usize];
+        let stopped = end > 0.0 && self.world.is_stopped(ray, Range::new(0.0, end), last);
+        if stopped { Rgb::ZERO } else { color }
+    }
+
+    /// The same, where light may be changed on its way.
+    #[inline(never)]
+    fn transmitted_filtered(
         &mut self,
         ray: &Ray,
         distance: f64,

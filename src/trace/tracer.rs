@@ -100,6 +100,8 @@ pub(super) struct Needs {
     /// Some medium has a density that is not the same everywhere.
     pub clouds: bool,
     pub caustics: bool,
+    /// Light may be changed on its way: some object lets it through, or there is something in the air.
+    pub filters: bool,
 }
 
 impl Needs {
@@ -112,6 +114,7 @@ impl Needs {
             media: false,
             clouds: false,
             caustics: false,
+            filters: true,
         };
         for (_, i) in world.interiors() {
             needs.interiors |= i.ior != 1.0 || i.dispersion != 1.0 || i.fade_distance != 0.0;
@@ -119,6 +122,7 @@ impl Needs {
             needs.caustics |= i.caustics != 0.0;
         }
         needs.interiors |= needs.atmosphere || needs.media;
+        needs.filters = needs.atmosphere || !world.stops_or_passes();
         needs
     }
 }

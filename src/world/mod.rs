@@ -213,6 +213,18 @@ impl World {
         self.as_hit(ray, self.geometry.obstacle_between(between, ray, range))
     }
 
+    /// Whether no object lets light through or changes it: [`World::is_stopped`] then says all.
+    pub fn stops_or_passes(&self) -> bool {
+        self.geometry.stops_or_passes()
+    }
+
+    /// Whether light is stopped inside `range`, by objects that stop all of it; `last` as for
+    /// [`World::obstacle`].
+    #[inline]
+    pub fn is_stopped(&self, ray: &Ray, range: Range, last: &mut Blocker) -> bool {
+        self.geometry.is_stopped(ray, range, &mut last.0)
+    }
+
     /// Whether no object lets light through.
     pub fn all_opaque(&self) -> bool {
         self.geometry.roots.iter().all(|r| r.opaque)

@@ -32,7 +32,60 @@ impl Geometry {
         }
     }
 
-    /// The same, and all that the ray crosses where nothing stops it. Apart, so that the short way stays short.
+    /// Whether no object lets light through or changes it: [`Geometry::is_stopped`] then says all.
+    pub fn stops_or_passes(&self) -> bool {
+        let seen = |item: &Item| item.hidden & RayClass::Filtered.bit() == 0;
+        self.finite.iter().chain(&self.infinite).all(|item| item.shades || !seen(item))
+    }
+
+    /// Whether light is stopped inside `range`, by objects that stop all of it; `last` as for
+    /// [`Geometry::obstacle`].
+    #[inline]
+    pub fn is_stopped(&self, ray: &Ray, range: Range, last: &mut u32) -> bool {
+        if *last != NONE && self.is_met_at(*last, ray, range) {
+            return true;
+        }
+        let by_plane = |(item, plane): (&Item, &Option<Plane>)| {
+            item.shades
+                && match plane {
+                    Some(plane) => range.contains(plane.along(ray)),
+                    None => self.meets(item.solid, ray, range),
+                }
+        };
+        if self.infinite.iter().zip(&self.planes).any(by_plane) {
+            return true;
+        }
+        match &self.search {
+            Finite::Tree(tree) => self.is_stopped_by(tree, ray, range, last),
+            Finite::Grid(grid) => self.is_stopped_by(grid, ray, range, last),
+            Finite::List(list) => self.is_stopped_by(list, ray, range, last),
+        }
+    }
+
+    /// Whether one of the finite objects but `last` stops light.
+    #[inline(never)]
+    fn is_stopped_by(&self, finite: &impl AnyHit, ray: &Ray, range: Range, last: &mut u32) -> bool {
+        let skipped = *last;
+        let mut stops = |place: u32, met: Option<bool>| {
+            let item = &self.finite[place as usize];
+            let stopped =
+                item.shades && place != skipped && met.unwrap_or_else(|| self.meets(item.solid, ray, range));
+            if stopped {
+                *last = place;
+            }
+            stopped
+        };
+        if self.balls.is_empty() {
+            return finite.any(ray, range, |place| stops(place, None));
+        }
+        finite.any(ray, range, |place| match self.balls[place as usize].meet(ray, range) {
+            Met::Nothing => false,
+            Met::Sphere(t) => t < range.max && stops(place, Some(true)),
+            Met::Perhaps => stops(place, None),
+        })
+    }
+
+    /// [`Geometry::obstacle`], and all that the ray crosses where nothing stops it. Apart, so that the short way stays short.
     #[inline(never)]
     pub fn obstacle_and_all(
         &self,
