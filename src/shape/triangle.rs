@@ -124,9 +124,18 @@ impl Triangle {
     }
 
     fn hit(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let w = Shear::new(ray.dir).weights(self.corners.map(|p| p - ray.origin))?;
-        let t = meet(ray, self.normal, self.corners[0])?;
-        range.contains(t).then_some(Crossing { t, part: 0, uv: Vec2::new(w.y, w.z) })
+        let (t, shares) = self.passed(ray, range)?;
+        let sum = shares.element_sum();
+        Some(Crossing { t, part: 0, uv: Vec2::new(shares.y / sum, shares.z / sum) })
+    }
+
+    /// Distance and shares of the corners. The plane is asked first: it lies behind most rays that start near it.
+    #[inline]
+    fn passed(&self, ray: &Ray, range: Range) -> Option<(f64, Vec3)> {
+        let t = meet(ray, self.normal, self.corners[0]).filter(|&t| range.contains(t))?;
+        let shear = Shear::new(ray.dir);
+        let [a, b, c] = self.corners.map(|p| shear.project(p - ray.origin));
+        Shear::shares(a, b, c).map(|shares| (t, shares))
     }
 
     fn at(&self, uv: Vec2) -> Vec3 {
@@ -151,6 +160,10 @@ impl Shape for Triangle {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.hit(ray, range)
+    }
+
+    fn meets(&self, ray: &Ray, range: Range) -> bool {
+        self.passed(ray, range).is_some()
     }
 
     fn contains(&self, _p: Vec3) -> bool {
@@ -203,6 +216,10 @@ impl Shape for SmoothTriangle {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.face.nearest(ray, range)
+    }
+
+    fn meets(&self, ray: &Ray, range: Range) -> bool {
+        self.face.meets(ray, range)
     }
 
     fn contains(&self, _p: Vec3) -> bool {
