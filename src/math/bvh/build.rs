@@ -1,9 +1,11 @@
+use super::widen::Plan;
 use super::{Bvh, COUNT_SHIFT, LEAF, MAX_LEAF, Node, WIDTH};
 use crate::math::{Aabb, Vec3};
 use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
+use obvhs::ploc::PlocSearchDistance;
 use smallvec::{SmallVec, smallvec};
 use std::time::Duration;
 
@@ -19,7 +21,11 @@ pub enum Quality {
 impl Quality {
     fn parameters(self) -> BvhBuildParams {
         match self {
-            Quality::Best => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::medium_build() },
+            Quality::Best => BvhBuildParams {
+                max_prims_per_leaf: 1,
+                ploc_search_distance: PlocSearchDistance::VeryHigh,
+                ..BvhBuildParams::medium_build()
+            },
             Quality::Fast { .. } => BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() },
         }
     }
@@ -133,14 +139,17 @@ pub(super) struct Place<'a> {
     /// Primitive numbers of the tree's boxes; the bulk stands in the outer tree as `u32::MAX`.
     pub numbers: &'a [u32],
     pub node: usize,
+    /// Which nodes below become wide ones, if that was worked out.
+    plan: Option<&'a Plan>,
     /// Nodes above so many primitives are taken for leaves.
     leaf: usize,
     is_leaf: bool,
 }
 
 impl<'a> Place<'a> {
-    pub fn root(tree: &'a Bvh2, numbers: &'a [u32], quality: Quality) -> Self {
-        Self { tree, numbers, node: 0, leaf: quality.leaf(), is_leaf: false }.at(0)
+    pub fn root(planned: &'a Planned, numbers: &'a [u32], quality: Quality) -> Self {
+        let Planned { tree, plan } = planned;
+        Self { tree, numbers, node: 0, plan: plan.as_ref(), leaf: quality.leaf(), is_leaf: false }.at(0)
     }
 
     /// Another node of the same tree.
@@ -223,8 +232,16 @@ impl Collapse {
         let mut children: Vec<Place> = Vec::with_capacity(WIDTH);
         while let Some((place, at)) = todo.pop() {
             children.clear();
-            children.push(place);
-            widen(&mut children, graft);
+            match place.plan {
+                Some(plan) if !place.is_leaf => {
+                    plan.children(place.tree, place.node, |node| children.push(place.at(node)));
+                    take_bulk(&mut children, graft);
+                }
+                _ => {
+                    children.push(place);
+                    widen(&mut children, graft);
+                }
+            }
             children.sort_by_key(|child| !child.is_leaf);
             for (slot, child) in children.iter().enumerate() {
                 let b = child.bounds();
@@ -280,6 +297,11 @@ fn widen<'a>(children: &mut Vec<Place<'a>>, graft: Option<Place<'a>>) {
         children.push(b);
     }
     // The last ones opened may again be the bulk's place.
+    take_bulk(children, graft);
+}
+
+/// Puts the bulk's own tree in its place in the outer one.
+fn take_bulk<'a>(children: &mut [Place<'a>], graft: Option<Place<'a>>) {
     if let Some(g) = graft {
         for child in children.iter_mut() {
             if child.is_leaf && child.primitives()[0] == u32::MAX {
@@ -289,8 +311,16 @@ fn widen<'a>(children: &mut Vec<Place<'a>>, graft: Option<Place<'a>>) {
     }
 }
 
-pub(super) fn binary_tree(boxes: &[obvhs::aabb::Aabb], quality: Quality) -> Bvh2 {
-    build_bvh2(boxes, quality.parameters(), &mut Duration::default())
+/// A binary tree, and what is to become of it.
+pub(super) struct Planned {
+    pub tree: Bvh2,
+    plan: Option<Plan>,
+}
+
+pub(super) fn binary_tree(boxes: &[obvhs::aabb::Aabb], quality: Quality) -> Planned {
+    let tree = build_bvh2(boxes, quality.parameters(), &mut Duration::default());
+    let plan = (quality == Quality::Best && !tree.nodes.is_empty()).then(|| Plan::new(&tree));
+    Planned { tree, plan }
 }
 
 /// The greatest power of two that is at most `v`, within the range of single precision.

@@ -18,6 +18,7 @@ mod shaft;
 mod traverse;
 #[cfg(target_arch = "x86_64")]
 mod wide;
+mod widen;
 
 use super::{Aabb, Accelerator, AnyHit, Range, Ray, Vec3};
 
