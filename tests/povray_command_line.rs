@@ -202,6 +202,38 @@ fn under_the_name_of_povray_letters_mean_what_they_mean_there() {
     }
 }
 
+/// As measured: what a scene prints, its warnings and its error go to their own files, and consoles are silent alone.
+#[test]
+fn streams_go_where_options_send_them() {
+    let folder = stage("streams");
+    let text =
+        format!("#version 3.7; \n\n#debug \"said\\n\"\n#warning \"warned\"\n{SMALL}\n#error \"stopped\"");
+    folder.write("s.pov", &text);
+    let streams = [("D", "said"), ("W", "warned"), ("F", "stopped")];
+    for (letter, told) in streams {
+        let line = ["+Is", "+W4", "+H3", "-D", &format!("-G{letter}{letter}.txt"), "+GAall.txt"];
+        let done = as_povray(&folder, &line[..5]);
+        assert_eq!(code(&done), Some(1));
+        for (_, word) in streams {
+            assert_eq!(stderr(&done).contains(word), word != told, "{word} of -G{letter}: {}", stderr(&done));
+        }
+        let file = std::fs::read_to_string(folder.path(&format!("{letter}.txt"))).unwrap();
+        let told_alone = streams.iter().filter(|(_, word)| file.contains(word)).count();
+        assert!(file.contains(told) && told_alone == 1, "{file}");
+        as_povray(&folder, &line);
+        let all = std::fs::read_to_string(folder.path("all.txt")).unwrap();
+        assert!(streams.iter().all(|(_, word)| all.contains(word)), "{all}");
+    }
+    folder.write("kept.txt", "before\n");
+    as_povray(&folder, &["+Ia", "+W4", "+H3", "-D", "+GSkept.txt", "Append_File=on"]);
+    let kept = std::fs::read_to_string(folder.path("kept.txt")).unwrap();
+    assert!(kept.starts_with("before\n") && kept.contains("a.png"), "{kept}");
+    let silent = as_povray(&folder, &["+Is", "+W4", "+H3", "-D", "-GA"]);
+    assert_eq!((code(&silent), stderr(&silent)), (Some(1), String::new()));
+    let section = as_povray(&folder, &["all.ini[none]", "-D"]);
+    assert!(stderr(&section).contains("has no section [none]"), "{}", stderr(&section));
+}
+
 #[test]
 fn ini_files_and_frames() {
     let folder = Folder::new("frames");

@@ -28,9 +28,8 @@ const VERSIONS: [(&str, &str, i32, &str); 7] = [
 ];
 
 /// Rows of `old-syntax-oracle.csv` that Glint answers differently.
-const OLD: [(&str, &str); 6] = [
+const OLD: [(&str, &str); 5] = [
     ("bare declare", "accepted with a warning"),
-    ("tiles", "not mended: refused in version 2.0"),
     ("texture{finish id}", "accepted in version 2.0, too"),
     ("0.05 number (crand) first in texture", "grain is drawn at random"),
     ("onion frequency", "the sphere lies on a step of the pattern: rounding decides"),

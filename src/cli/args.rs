@@ -78,8 +78,8 @@ pub struct SceneArgs {
     /// Refuse more: features that are not rendered yet, or whatever POV-Ray refuses
     #[arg(long, value_enum, value_name = "WHAT", num_args = 0..=1, require_equals = true, default_missing_value = "features")]
     pub strict: Vec<Strict>,
-    /// How far a scene may go: includes, calls, blocks, nesting, tokens, passes, elements, seconds, memory (MB);
-    /// may be repeated
+    /// How far a scene may go: includes, calls, blocks, nesting, tokens, passes, elements, written (MB), seconds,
+    /// memory (MB); may be repeated
     #[arg(long, value_name = "NAME=N")]
     pub limit: Vec<String>,
 }

@@ -4,6 +4,7 @@ use super::args::CheckArgs;
 use super::clock::{cpu_seconds, peak_rss_bytes};
 use super::exit::{Exit, Failure};
 use super::scene::{self, Options};
+use super::streams::Streams;
 use super::{interrupt, json, stack};
 use crate::scene::Counts;
 use crate::world::World;
@@ -42,7 +43,7 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
                 if args.json {
                     json::print(&json::Failed::new(path, &failure))?;
                 }
-                super::complain(&failure);
+                Streams::new(false).complain(&failure);
                 exit = exit.max(failure.exit);
             }
         }
@@ -52,7 +53,7 @@ pub fn run(args: &CheckArgs) -> Result<Exit, Failure> {
 
 fn check(path: &Path, options: &Options, quiet: bool) -> Result<Report, Failure> {
     let start = cpu_seconds();
-    let parsed = scene::parse(path, options, quiet)?;
+    let parsed = scene::parse(path, options, &Streams::new(quiet))?;
     let read = cpu_seconds();
     let counts = Counts::of(&parsed.scene);
     let _world = World::prepare(parsed.scene);

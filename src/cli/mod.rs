@@ -19,6 +19,7 @@ mod progress;
 mod render;
 mod scene;
 mod stack;
+mod streams;
 mod syntax;
 mod trade;
 
@@ -36,7 +37,7 @@ pub fn run(words: Vec<OsString>) -> u8 {
         Err(failure) => Err(failure),
     };
     let exit = result.unwrap_or_else(|failure| {
-        complain(&failure);
+        streams::Streams::new(false).complain(&failure);
         failure.exit
     });
     exit.code()
@@ -63,16 +64,5 @@ fn glint(words: Vec<OsString>) -> Result<Exit, Failure> {
             Ok(Exit::Done)
         }
         Command::Explain(args) => explain::run(&args),
-    }
-}
-
-/// Says what went wrong, if nobody has yet.
-fn complain(failure: &Failure) {
-    if failure.reported {
-        return;
-    }
-    match failure.exit {
-        Exit::Interrupted => eprintln!("{failure}"),
-        _ => eprintln!("error: {failure}"),
     }
 }

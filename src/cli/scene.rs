@@ -3,6 +3,7 @@
 use super::args::{Includes, SceneArgs, Strict};
 use super::diagnostic;
 use super::exit::Failure;
+use super::streams::{Stream, Streams};
 use crate::interp::{self, IncludeMode, Limits, Outcome, SceneSource};
 use crate::scene::Scene;
 use crate::source::{Diagnostic, Files};
@@ -103,16 +104,14 @@ pub struct Parsed {
     pub fingerprint: u64,
 }
 
-/// Reads a scene. Diagnostics go to stderr, warnings only unless `quiet`.
-pub fn parse(path: &Path, options: &Options, quiet: bool) -> Result<Parsed, Failure> {
+/// Reads a scene; it and what is wrong with it speak to the streams.
+pub fn parse(path: &Path, options: &Options, streams: &Streams) -> Result<Parsed, Failure> {
     let outcome = interp::interpret(source(path)?, &options.interp);
     let Outcome { scene, files, warnings, unsupported, debug } = outcome;
-    if !quiet {
-        eprint!("{debug}");
-        show_all(&warnings, &files, options.ascii);
-    }
+    streams.say(Stream::Debug, &debug);
+    show_all(&warnings, &files, options.ascii, streams);
     let scene = scene.map_err(|error| {
-        diagnostic::show(&error, &files, options.ascii);
+        streams.show(&error, &files, options.ascii);
         Failure::reported(diagnostic::line(&error, &files))
     })?;
     if options.strict && !unsupported.is_empty() {
@@ -170,12 +169,13 @@ fn source(path: &Path) -> Result<SceneSource, Failure> {
 /// At most this many warnings of one scene are drawn.
 const MAX_WARNINGS: usize = 50;
 
-fn show_all(warnings: &[Diagnostic], files: &Files, ascii: bool) {
+fn show_all(warnings: &[Diagnostic], files: &Files, ascii: bool, streams: &Streams) {
     for warning in warnings.iter().take(MAX_WARNINGS) {
-        diagnostic::show(warning, files, ascii);
+        streams.show(warning, files, ascii);
     }
     if warnings.len() > MAX_WARNINGS {
-        eprintln!("... and {} more warnings", warnings.len() - MAX_WARNINGS);
+        let rest = format!("... and {} more warnings\n", warnings.len() - MAX_WARNINGS);
+        streams.say(Stream::Warning, &rest);
     }
 }
 

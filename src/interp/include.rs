@@ -103,7 +103,10 @@ impl Parser {
         {
             return Ok(file);
         }
-        let Some(found) = found else { return Err(self.no_such_file(name, span)) };
+        let Some(found) = found else {
+            self.refuse_special(name, span)?;
+            return Err(self.no_such_file(name, span));
+        };
         if !self.loaded.contains_key(&found.path) {
             self.check_place(&found.path, Access::Read, span)?;
         }

@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 /// | `tokens` | words of one loop or macro body | 100 million |
 /// | `passes` | passes of loops and calls of macros in all | 10^12 |
 /// | `elements` | elements of one array | 100 million |
+/// | `written` | megabytes that `#write` writes in all | 1,000 |
 /// | `seconds` | time to read the scene | 3,600 |
 /// | `memory` | megabytes of the program while it reads | three quarters of the machine's |
 ///
@@ -28,6 +29,8 @@ pub struct Limits {
     pub kept_tokens: usize,
     pub passes: u64,
     pub array_elements: usize,
+    /// Bytes of all text files together.
+    pub written: u64,
     pub seconds: f64,
     /// In bytes; `None` where the machine does not tell.
     pub memory: Option<u64>,
@@ -43,6 +46,7 @@ impl Default for Limits {
             kept_tokens: 100_000_000,
             passes: 1_000_000_000_000,
             array_elements: 100_000_000,
+            written: 1000 * MEGABYTE,
             seconds: 3600.0,
             memory: installed_memory().map(|bytes| bytes / 4 * 3),
         }
@@ -54,8 +58,10 @@ const MOST_NESTING: f64 = 4000.0;
 
 impl Limits {
     /// Names that [`Limits::set`] knows.
-    pub const NAMES: [&str; 9] =
-        ["includes", "calls", "blocks", "nesting", "tokens", "passes", "elements", "seconds", "memory"];
+    pub const NAMES: [&str; 10] = [
+        "includes", "calls", "blocks", "nesting", "tokens", "passes", "elements", "written", "seconds",
+        "memory",
+    ];
 
     /// Sets a limit by its name; false if there is none of that name, or the value makes no sense.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
@@ -70,6 +76,7 @@ impl Limits {
             "tokens" => self.kept_tokens = value as usize,
             "passes" => self.passes = value as u64,
             "elements" => self.array_elements = value as usize,
+            "written" => self.written = value as u64 * MEGABYTE,
             "seconds" => self.seconds = value,
             "memory" => self.memory = Some(value as u64 * MEGABYTE),
             _ => return false,
@@ -78,7 +85,7 @@ impl Limits {
     }
 }
 
-const MEGABYTE: u64 = 1 << 20;
+pub(super) const MEGABYTE: u64 = 1 << 20;
 
 /// Clock and memory are looked at after so many passes or batches of tokens.
 const INTERVAL: u32 = 256;

@@ -106,8 +106,21 @@ impl Parser {
                 self.lenient_about(&found, name, span)?;
                 Ok(found.path)
             }
-            None => Err(self.no_such_file(name, span)),
+            None => {
+                self.refuse_special(name, span)?;
+                Err(self.no_such_file(name, span))
+            }
         }
+    }
+
+    /// The error for a folder, a device or a pipe by this name.
+    pub(super) fn refuse_special(&self, name: &str, span: Span) -> Result<()> {
+        let folders = self.library_folders().into_iter().chain(self.neighbour_folders());
+        let Some(path) = folders.map(|folder| folder.join(name)).find(|path| path.exists()) else {
+            return Ok(());
+        };
+        self.check_place(&path, Access::Read, span)?;
+        Err(Box::new(Diagnostic::error(span, format!("cannot open `{name}`: it is no plain file"))))
     }
 
     pub(super) fn lenient_about(&mut self, found: &Found, name: &str, span: Span) -> Result<()> {

@@ -62,6 +62,8 @@ pub struct Parser {
     pub(super) random: Vec<u32>,
     pub(super) queries: super::world_query::Queries,
     pub(super) text_files: Vec<Option<super::textfile::TextFile>>,
+    /// Bytes that `#write` has written so far.
+    pub(super) written: u64,
 }
 
 /// What statements add to while the text is read.
@@ -131,6 +133,7 @@ impl Parser {
             random: Vec::new(),
             queries: Default::default(),
             text_files: Vec::new(),
+            written: 0,
         }
     }
 

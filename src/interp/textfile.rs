@@ -2,6 +2,7 @@
 
 use super::builtin::format_general;
 use super::expr::Number;
+use super::limits::MEGABYTE;
 use super::lookup::Kind;
 use super::places::Access;
 use super::symbols::{Binding, GLOBAL};
@@ -230,6 +231,14 @@ impl Parser {
     }
 
     fn write_bytes(&mut self, index: usize, bytes: &[u8], span: Span) -> Result<()> {
+        self.written += bytes.len() as u64;
+        let limit = self.options.limits.written;
+        if self.written > limit {
+            let message = format!("the scene writes more than {} MB", limit / MEGABYTE);
+            return Err(Box::new(
+                Diagnostic::error(span, message).with_hint("`--limit written=N` lets it write more"),
+            ));
+        }
         match self.text_files.get_mut(index) {
             Some(Some(TextFile::Writer { file, path })) => {
                 file.write_all(bytes).map_err(|why| write_error(path, &why, span))

@@ -27,6 +27,8 @@ pub struct Normal {
     pub slopes: Option<BlendMap<(f64, f64)>>,
     /// Whether bumps keep their slope under scaling; off for `no_bump_scale`.
     pub scale_bumps: bool,
+    depth: u32,
+    cost: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -51,6 +53,8 @@ impl Default for Normal {
             map: None,
             slopes: None,
             scale_bumps: true,
+            depth: 1,
+            cost: 1.0,
         }
     }
 }
@@ -172,10 +176,26 @@ impl Normal {
 
     /// How deep normals are nested in this one, itself included.
     pub fn depth(&self) -> u32 {
-        let inner = match &self.kind {
-            NormalKind::Uv(inner) => inner.depth(),
-            _ => self.map.iter().flat_map(BlendMap::items).map(|n| n.depth()).max().unwrap_or(0),
+        self.depth
+    }
+
+    /// How many normals are asked for one direction at most.
+    pub fn cost(&self) -> f64 {
+        self.cost
+    }
+
+    /// Works out how normals are nested. Call it after every change.
+    pub fn settle(&mut self) {
+        let items = |of: fn(&Normal) -> u32| {
+            self.map.iter().flat_map(BlendMap::items).map(|n| of(n)).max().unwrap_or(0)
         };
-        1 + inner.max(self.signal.pattern.depth())
+        let (depth, cost) = match (&self.kind, &self.map) {
+            (NormalKind::Uv(inner), _) => (inner.depth, inner.cost),
+            (NormalKind::Patterned, Some(map)) => (items(Normal::depth), map.cost(|n| n.cost)),
+            (_, Some(map)) => (items(Normal::depth), map.items().map(|n| n.cost).sum()),
+            (_, None) => (0, 0.0),
+        };
+        self.depth = 1 + depth.max(self.signal.pattern.depth());
+        self.cost = 1.0 + cost;
     }
 }

@@ -36,6 +36,8 @@ pub struct Pigment {
     pub signal: Signal,
     /// The map or list that was written; `None` for the pattern's own colours.
     pub map: Option<PigmentMap>,
+    /// Whether a colour, a pattern or an image was named; if not, the pigment is black and may still be given a map.
+    pub typed: bool,
     /// Stands for the pigment at low quality.
     pub quick_color: Option<Color>,
     /// The pattern's own colours, where no map was written.
@@ -43,6 +45,7 @@ pub struct Pigment {
     opaque: bool,
     asks_hit: bool,
     depth: u32,
+    cost: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -66,7 +69,7 @@ pub enum PigmentMap {
 impl Default for Pigment {
     /// Opaque black.
     fn default() -> Self {
-        Self::plain_color(Color::BLACK)
+        Self { typed: false, ..Self::plain_color(Color::BLACK) }
     }
 }
 
@@ -76,11 +79,13 @@ impl Pigment {
             kind: PigmentKind::Plain(color),
             signal: Signal::default(),
             map: None,
+            typed: true,
             quick_color: None,
             own_colors: None,
             opaque: true,
             asks_hit: false,
             depth: 0,
+            cost: 1.0,
         };
         pigment.settle();
         pigment
@@ -93,6 +98,10 @@ impl Pigment {
             (patterned && self.map.is_none()).then(|| BlendMap::new(self.signal.pattern.colors()));
         let opaque_map = |map: &ColorMap| map.items().all(|c| !c.is_transparent());
         self.depth = 1 + self.children().map(|p| p.depth).fold(self.signal.pattern.depth(), u32::max);
+        self.cost = match (&self.kind, &self.map) {
+            (PigmentKind::Patterned, Some(PigmentMap::Pigments(map))) => 1.0 + map.cost(|p| p.cost),
+            _ => 1.0 + self.children().map(|p| p.cost).sum::<f64>(),
+        };
         let asks = match self.kind {
             PigmentKind::Patterned => self.signal.pattern.asks_hit(),
             _ => matches!(self.kind, PigmentKind::Uv(_)),
@@ -121,6 +130,11 @@ impl Pigment {
     /// How deep pigments are nested in this one, itself included.
     pub fn depth(&self) -> u32 {
         self.depth
+    }
+
+    /// How many pigments are asked for one colour at most.
+    pub fn cost(&self) -> f64 {
+        self.cost
     }
 
     /// The colour at `p` in pigment space; `None` outside an image mapped `once`.

@@ -32,6 +32,7 @@ pub struct PatternedTexture {
     pub scale_bumps: bool,
     opaque: bool,
     depth: u32,
+    cost: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -155,6 +156,14 @@ impl Texture {
         }
     }
 
+    /// How many textures, pigments and normals are asked at one point at most.
+    pub fn cost(&self) -> f64 {
+        match self {
+            Texture::Layers(layers) => layers.iter().map(Layer::cost).sum(),
+            Texture::Patterned(texture) => texture.cost,
+        }
+    }
+
     /// Moves every pattern of the texture.
     pub fn transform(&mut self, t: &Transform) {
         match self {
@@ -167,6 +176,10 @@ impl Texture {
 impl Layer {
     fn depth(&self) -> u32 {
         self.pigment.depth().max(self.normal.as_ref().map_or(0, |n| n.depth()))
+    }
+
+    fn cost(&self) -> f64 {
+        self.pigment.cost() + self.normal.as_ref().map_or(0.0, |n| n.cost())
     }
 
     fn asks_hit(&self) -> bool {
@@ -186,7 +199,14 @@ impl PatternedTexture {
     pub fn new(kind: PatternedKind, signal: Signal, map: BlendMap<Texture>) -> Self {
         let opaque = map.items().all(Texture::is_opaque);
         let depth = 1 + map.items().map(Texture::depth).fold(signal.pattern.depth(), u32::max);
-        Self { kind, signal, map, scale_bumps: true, opaque, depth }
+        let cost = match kind {
+            PatternedKind::Blended => map.cost(Texture::cost),
+            PatternedKind::Average => map.items().map(Texture::cost).sum(),
+            PatternedKind::Material(_) | PatternedKind::Uv => {
+                map.items().map(Texture::cost).fold(0.0, f64::max)
+            }
+        };
+        Self { kind, signal, map, scale_bumps: true, opaque, depth, cost: 1.0 + cost }
     }
 
     fn frame(&self, scale_bumps: bool) -> Frame<'_> {

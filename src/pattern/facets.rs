@@ -66,6 +66,10 @@ impl Pattern for Facets {
         0.0
     }
 
+    fn is_for_normals_only(&self) -> bool {
+        true
+    }
+
     fn perturb(&self, n: Vec3, _amount: f64, p: Vec3, _setting: &Setting) -> Option<Vec3> {
         let n = n.normalize_or_zero();
         let base = if self.coords != 0.0 { p } else { n };

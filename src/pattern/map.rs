@@ -54,6 +54,12 @@ impl<T> BlendMap<T> {
         &self.entries[index.min(self.entries.len() - 1)].1
     }
 
+    /// The work at one value if every item takes as much as `cost` says: two neighbours are blended.
+    pub fn cost(&self, cost: impl Fn(&T) -> f64) -> f64 {
+        let costs: Vec<f64> = self.items().map(cost).collect();
+        costs.windows(2).map(|two| two[0] + two[1]).fold(costs[0], f64::max)
+    }
+
     pub fn total_weight(&self) -> f64 {
         self.entries.iter().map(|(weight, _)| weight).sum()
     }

@@ -230,6 +230,11 @@ pub trait Pattern: Debug + Send + Sync {
         vec![(0.0, Color::BLACK), (1.0, Color::WHITE)]
     }
 
+    /// Whether it has no value at all and serves for normals alone.
+    fn is_for_normals_only(&self) -> bool {
+        false
+    }
+
     /// The normal `n` perturbed by the pattern's own rule; `None` if the pattern has none and its value is
     /// taken for a height. Not normalised.
     fn perturb(&self, _n: Vec3, _amount: f64, _p: Vec3, _setting: &Setting) -> Option<Vec3> {

@@ -9,7 +9,7 @@ use logos::{FilterResult, Logos, Skip};
 enum Lexeme {
     #[regex(r"[A-Za-z_][A-Za-z0-9_]*")]
     Name,
-    #[regex(r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")]
+    #[regex(r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]*)?")]
     Number,
     #[token("\"", string)]
     String,

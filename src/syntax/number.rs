@@ -39,10 +39,12 @@ pub fn leading_number(text: &[u8]) -> Option<(f64, usize)> {
     } else if whole == 0 {
         return None;
     }
+    let mantissa = at;
     if let Some(length) = exponent_length(&text[at..]) {
         exponent += written_exponent(&text[at + 1..at + length]);
         at += length;
     }
+    let written = if text[at - 1].is_ascii_digit() || text[at - 1] == b'.' { at } else { mantissa };
     if significant <= 19 && digits <= 1 << 53 {
         if (0..=22).contains(&exponent) {
             return Some((digits as f64 * EXACT_POWERS[exponent as usize], at));
@@ -51,18 +53,17 @@ pub fn leading_number(text: &[u8]) -> Option<(f64, usize)> {
             return Some((digits as f64 / EXACT_POWERS[-exponent as usize], at));
         }
     }
-    let value = std::str::from_utf8(&text[..at]).ok().and_then(|s| s.parse().ok()).unwrap_or(0.0);
+    let value = std::str::from_utf8(&text[..written]).ok().and_then(|s| s.parse().ok()).unwrap_or(0.0);
     Some((value, at))
 }
 
-/// How many bytes `e`, a sign and digits take, if they come.
+/// How many bytes `e`, a sign and digits take, if they come; sign and digits may be left away.
 fn exponent_length(text: &[u8]) -> Option<usize> {
     if !matches!(text.first(), Some(b'e' | b'E')) {
         return None;
     }
     let sign = 1 + usize::from(matches!(text.get(1), Some(b'+' | b'-')));
-    let digits = text[sign..].iter().take_while(|b| b.is_ascii_digit()).count();
-    (digits > 0).then_some(sign + digits)
+    Some(sign + text[sign..].iter().take_while(|b| b.is_ascii_digit()).count())
 }
 
 /// The number after `e`, held within a range that no double exceeds.
@@ -117,7 +118,9 @@ mod tests {
 
     #[test]
     fn a_number_ends_where_it_must() {
-        for (text, length) in [("1e", 1), ("1e+", 1), ("2.5e3x", 5), ("7.,", 2), ("0.5>", 3), ("3<", 1)] {
+        for (text, length) in
+            [("1e", 2), ("1e+", 3), ("1ex", 2), ("2.5e3x", 5), ("7.,", 2), ("0.5>", 3), ("3<", 1)]
+        {
             assert_eq!(leading_number(text.as_bytes()).unwrap().1, length, "{text}");
         }
         for text in ["", ".", "e5", "-1", ".e1"] {

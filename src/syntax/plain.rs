@@ -70,7 +70,7 @@ impl<'a> Plain<'a> {
         let (v, length) = leading_number(&self.text[at..])?;
         let at = at + length;
         match self.text.get(at) {
-            // `1.5.` or `2e` is an error, told elsewhere.
+            // `1.5.` or `2x` is an error, told elsewhere.
             Some(b) if b.is_ascii_alphanumeric() || matches!(b, b'.' | b'_') => None,
             _ => Some((if negative { -v } else { v }, at)),
         }
@@ -112,7 +112,7 @@ mod tests {
             "<1,2,a>",
             "<1,2+1,3>",
             "<1,2,3.4.5>",
-            "<1,2,3e>",
+            "<1,2,3ex>",
             "<1,/**/2,3>",
         ] {
             assert_eq!(Plain::new(other.as_bytes(), 0).vector(3), None, "{other}");

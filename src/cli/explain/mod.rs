@@ -8,6 +8,7 @@ use super::clock::{Lap, peak_rss_bytes};
 use super::exit::{Exit, Failure};
 use super::render::accel;
 use super::scene::{self, Options};
+use super::streams::Streams;
 use super::{interrupt, json, stack};
 use crate::world::World;
 use left_out::LeftOut;
@@ -64,7 +65,7 @@ pub fn run(args: &ExplainArgs) -> Result<Exit, Failure> {
 fn explain(args: &ExplainArgs, options: &Options) -> Result<Report, Failure> {
     let counted = Mutex::new(0.0);
     let mut lap = Lap::new(&counted);
-    let parsed = scene::parse(&args.scene_file, options, true)?;
+    let parsed = scene::parse(&args.scene_file, options, &Streams::new(true))?;
     let parse_cpu_s = lap.next();
     let world = World::prepare_with(parsed.scene, accel(args.accel));
     let prepare_cpu_s = lap.next();

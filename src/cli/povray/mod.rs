@@ -15,6 +15,7 @@ mod words;
 use super::exit::{Exit, Failure};
 use super::render::{Plan, RadiosityFiles, Task, pool, run_all};
 use super::scene;
+use super::streams::{Stream, Streams};
 use crate::color::Gamma;
 use crate::interp;
 use crate::picture::{Dither, FileGamma, Output, Pixel};
@@ -42,8 +43,8 @@ pub fn run(words: &[String]) -> Result<Exit, Failure> {
         words::apply(&mut settings, word)?;
     }
     let (plan, tasks) = (plan(&settings)?, tasks(&settings)?);
-    if !plan.quiet {
-        notes::of(&settings).iter().for_each(|note| eprintln!("note: {note}"));
+    for note in notes::of(&settings) {
+        plan.streams.say(Stream::Render, &format!("note: {note}\n"));
     }
     if let Some(path) = settings.text("Create_Ini").filter(|p| !p.is_empty()) {
         Output::File(path.into()).write(settings.ini().as_bytes())?;
@@ -101,7 +102,7 @@ fn plan(settings: &Settings) -> Result<Plan, Failure> {
         file_gamma: file_gamma(settings)?,
         dither: dither(settings)?,
         radiosity: radiosity(settings),
-        quiet: !settings.flag("All_Console", true),
+        streams: streams(settings)?,
         partial: false,
         pool: pool(threads)?,
         command: Vec::new(),
@@ -153,6 +154,33 @@ fn dither(settings: &Settings) -> Result<Dither, Failure> {
         // Other names were refused where they were given.
         _ => Ok(Dither::FloydSteinberg),
     }
+}
+
+/// As measured: `All_Console` overrules the others, and a file that has no name of its own has the reference's.
+fn streams(settings: &Settings) -> Result<Streams, Failure> {
+    let all = settings.text("All_Console").map(|_| settings.flag("All_Console", true));
+    let append = settings.flag("Append_File", false);
+    let mut streams = Streams::new(false);
+    let mut file = |stream, keyword: &str, usual: &str| {
+        let Some(name) = settings.text(keyword) else { return Ok(()) };
+        match name.to_ascii_lowercase().as_str() {
+            "" | "on" | "yes" | "true" => streams.open(stream, Path::new(usual), append),
+            "off" | "no" | "false" => Ok(()),
+            _ => streams.open(stream, Path::new(name), append),
+        }
+    };
+    file(None, "All_File", "alltext.out")?;
+    file(Some(Stream::Debug), "Debug_File", "debug.out")?;
+    file(Some(Stream::Warning), "Warning_File", "warning.out")?;
+    file(Some(Stream::Fatal), "Fatal_File", "fatal.out")?;
+    file(Some(Stream::Render), "Render_File", "render.out")?;
+    file(Some(Stream::Statistic), "Statistic_File", "stats.out")?;
+    let keywords =
+        ["Debug_Console", "Warning_Console", "Fatal_Console", "Render_Console", "Statistic_Console"];
+    for (stream, keyword) in Stream::ALL.into_iter().zip(keywords) {
+        streams.set_console(stream, all.unwrap_or_else(|| settings.flag(keyword, true)));
+    }
+    Ok(streams)
 }
 
 /// The name is the reference's own where none is given.
@@ -292,7 +320,14 @@ mod tests {
             (p.quality, p.alpha, p.bits, p.file_gamma, p.block_size),
             (9, true, 16, FileGamma::Power(2.2), 16)
         );
-        assert!(plan("-GA").quiet);
+        let silent = |line: &str, stream| !plan(line).streams.is_on_console(stream);
+        assert!(
+            Stream::ALL.iter().all(|&s| silent("-GA", s) && silent("-GA +GF", s) && !silent("-GF +GA", s))
+        );
+        let alone = |line: &str| Stream::ALL.into_iter().filter(|&s| silent(line, s)).collect::<Vec<_>>();
+        assert_eq!(alone("-GD"), [Stream::Debug]);
+        assert_eq!(alone("Warning_Console=off -GR"), [Stream::Warning, Stream::Render]);
+        assert_eq!(alone("-GS -GF"), [Stream::Fatal, Stream::Statistic]);
     }
 
     #[test]

@@ -78,6 +78,9 @@ fn switch(settings: &mut Settings, word: &str) -> Result<(), Failure> {
 /// A letter, and the bits of a channel or `g` for grey.
 fn file_type(settings: &mut Settings, word: &str, value: &str) -> Result<(), Failure> {
     let (letter, rest) = value.split_at(value.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(1).min(1));
+    if letter.is_empty() && !rest.is_empty() {
+        return Err(Failure::usage(format!("{word}: expected the letter of a file type, such as +FN")));
+    }
     if !letter.is_empty() {
         settings.set("Output_File_Type", letter)?;
         FileType::of(settings)?;
@@ -148,6 +151,7 @@ fn read_ini(
     depth: usize,
 ) -> Result<(), Failure> {
     let mut counts = true;
+    let mut found = section.is_none_or(str::is_empty);
     let text = text.replace("\r\n", "\n");
     for (number, line) in text.split(['\n', '\r']).enumerate() {
         let mut line = without_comment(line).trim();
@@ -155,6 +159,7 @@ fn read_ini(
             let (header, rest) = rest.split_once(']').map_or((None, ""), |(h, r)| (Some(h), r));
             counts = header.zip(section).is_some_and(|(h, asked)| h.eq_ignore_ascii_case(asked));
             line = rest.trim();
+            found |= counts;
         }
         if line.is_empty() || !counts {
             continue;
@@ -166,6 +171,9 @@ fn read_ini(
         let place =
             |f: Failure| Failure { message: format!("{}:{}: {}", path.display(), number + 1, f), ..f };
         ini_line(settings, line, depth).map_err(place)?;
+    }
+    if let (false, Some(section)) = (found, section) {
+        settings.remarks.push(format!("{} has no section [{section}]", path.display()));
     }
     Ok(())
 }

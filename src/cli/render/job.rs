@@ -123,7 +123,7 @@ impl<'a> Job<'a> {
     pub fn run(&self) -> Result<RenderReport, Failure> {
         let wall = self.wall();
         let mut lap = Lap::new(&self.plan.counted);
-        let parsed = scene::parse(&self.task.scene, &self.task.options, self.plan.quiet)?;
+        let parsed = scene::parse(&self.task.scene, &self.task.options, &self.plan.streams)?;
         let parse_cpu_s = lap.next();
         let world = World::prepare_with(parsed.scene, self.plan.accel);
         let prepare_cpu_s = lap.next();

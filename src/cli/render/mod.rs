@@ -12,6 +12,7 @@ pub use job::Task;
 pub use plan::{Plan, accel, pool};
 pub use radiosity::RadiosityFiles;
 
+use super::streams::Stream;
 use accuracy::Reached;
 
 use super::args::RenderArgs;
@@ -47,9 +48,7 @@ pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failu
     for (i, task) in tasks.iter().enumerate() {
         let count = if tasks.len() > 1 { format!("[{}/{}] ", i + 1, tasks.len()) } else { String::new() };
         if task.is_done(plan) {
-            if !plan.quiet {
-                eprintln!("{count}{} is there already", task.target.output);
-            }
+            plan.streams.say(Stream::Render, &format!("{count}{} is there already\n", task.target.output));
             continue;
         }
         match monitor::render(plan, task) {
@@ -57,9 +56,9 @@ pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failu
                 if as_json {
                     json::print(&report)?;
                 }
-                if !plan.quiet {
-                    eprintln!("{count}{}", report.line());
-                    report.adaptive.iter().flat_map(Reached::notes).for_each(|note| eprintln!("{note}"));
+                plan.streams.say(Stream::Statistic, &format!("{count}{}\n", report.line()));
+                for note in report.adaptive.iter().flat_map(Reached::notes) {
+                    plan.streams.say(Stream::Statistic, &format!("{note}\n"));
                 }
             }
             Err(failure) if failure.exit == Exit::Interrupted => return Err(failure),
@@ -67,7 +66,7 @@ pub fn run_all(plan: &Plan, tasks: &[Task], as_json: bool) -> Result<Exit, Failu
                 if as_json {
                     json::print(&json::Failed::new(&task.scene, &failure))?;
                 }
-                super::complain(&failure);
+                plan.streams.complain(&failure);
                 exit = exit.max(failure.exit);
             }
         }

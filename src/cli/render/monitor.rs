@@ -5,6 +5,7 @@ use super::plan::Plan;
 use super::report::RenderReport;
 use crate::cli::exit::{Exit, Failure};
 use crate::cli::progress::Display;
+use crate::cli::streams::Stream;
 use crate::cli::{interrupt, stack};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -40,7 +41,7 @@ pub fn render(plan: &Plan, task: &Task) -> Result<RenderReport, Failure> {
 
 /// Returns when the job is finished.
 fn watch(job: &Job, plan: &Plan, scene: &Path, finished: &Receiver<()>) {
-    let mut display = Display::new(&scene.display().to_string(), plan.quiet);
+    let mut display = Display::new(&scene.display().to_string(), !plan.streams.is_on_console(Stream::Render));
     let mut written = Instant::now();
     while finished.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
         let live = job.live();

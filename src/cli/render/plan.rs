@@ -4,6 +4,7 @@ use super::accuracy::Accuracy;
 use super::radiosity::RadiosityFiles;
 use crate::cli::args::{AaMethod, Accelerator, Corners, Gi, OverrideArgs, PictureArgs, RenderArgs};
 use crate::cli::exit::Failure;
+use crate::cli::streams::Streams;
 use crate::color::Gamma;
 use crate::picture::{Dither, Encoding, FileGamma, Pixel};
 use crate::render::{Antialias, Method, Region, Settings};
@@ -37,7 +38,7 @@ pub struct Plan {
     pub file_gamma: FileGamma,
     pub dither: Dither,
     pub radiosity: RadiosityFiles,
-    pub quiet: bool,
+    pub streams: Streams,
     pub partial: bool,
     pub pool: rayon::ThreadPool,
     /// The words of the command line.
@@ -70,7 +71,7 @@ impl Plan {
                 load: args.load_radiosity.clone(),
                 save: args.save_radiosity.clone(),
             },
-            quiet: args.quiet,
+            streams: Streams::new(args.quiet),
             partial: args.partial,
             pool: pool(p.threads.map(usize::from))?,
             command: std::env::args_os().map(|w| w.to_string_lossy().into_owned()).collect(),

@@ -8,6 +8,7 @@ use crate::cli::exit::Failure;
 use crate::cli::interrupt;
 use crate::cli::render::quoted;
 use crate::cli::scene::{self, Options};
+use crate::cli::streams::Streams;
 use crate::color::Gamma;
 use crate::picture::light::Light;
 use crate::picture::{Encoding, Picture};
@@ -58,7 +59,7 @@ impl<'a> ScenePictures<'a> {
         wall: Wall,
     ) -> Result<Self, Failure> {
         options.fingerprint = args.cache.is_some();
-        let parsed = scene::parse(&args.scene_file, &options, args.quiet)?;
+        let parsed = scene::parse(&args.scene_file, &options, &Streams::new(args.quiet))?;
         let cache = args.cache.clone().map(|folder| Cache::new(folder, parsed.fingerprint));
         let world = World::prepare(parsed.scene);
         let gamma = world.scene.globals.gamma;
@@ -150,7 +151,7 @@ impl Subject for ScenePictures<'_> {
         // A scene may ask for the picture's size.
         let mut options = self.options.clone();
         (options.interp.image_width, options.interp.image_height) = (size.width, size.height);
-        match scene::parse(&self.args.scene_file, &options, true) {
+        match scene::parse(&self.args.scene_file, &options, &Streams::new(true)) {
             Ok(parsed) => {
                 *self.ready.borrow_mut() = (size, Arc::new(World::prepare(parsed.scene)));
                 Ok(())

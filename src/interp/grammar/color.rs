@@ -24,7 +24,8 @@ impl Parser {
         Ok(Rgb::new(color[0] as f32, color[1] as f32, color[2] as f32))
     }
 
-    /// The five components; a plain number fills `spread` of them.
+    /// The five components; a plain number fills `spread` of them. A colour that is left away, alone or behind
+    /// `color`, is black.
     fn color_item(&mut self, spread: usize) -> Result<[f64; 5]> {
         self.accept(Keyword::Color)?;
         let first = self.peek_operand()?;
@@ -37,7 +38,8 @@ impl Parser {
                 None => [0.0; 5],
             },
             _ if self.at_expression()? => self.full()?.plain().filled(spread),
-            _ => return Err(self.unexpected("a color")),
+            Tok::Identifier(_) => return Err(self.unexpected("a color")),
+            _ => [0.0; 5],
         };
         while self.component(&mut color)? {}
         Ok(color)

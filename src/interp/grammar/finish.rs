@@ -1,5 +1,6 @@
 //! `finish { … }`.
 
+use crate::color::Rgb;
 use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Finish, Reflection};
@@ -139,15 +140,22 @@ impl Parser {
         Ok(())
     }
 
-    /// A colour, or `{ [min] [, max] items }`.
+    /// A colour, or `{ [min] [, max] items }`; nothing at all changes nothing.
     fn reflection(&mut self, reflection: &mut Reflection) -> Result<()> {
         if !self.accept_punct(Punct::LeftBrace)? {
+            if !self.at_expression()? {
+                return Ok(());
+            }
             let color = self.rgb()?;
             *reflection =
                 Reflection { min: color, max: color, falloff: 1.0, fresnel: false, ..reflection.clone() };
             return Ok(());
         }
         let mut colors = Vec::new();
+        if self.peek()?.tok == Tok::Punct(Punct::Comma) {
+            colors.push(Rgb::ZERO);
+            self.comma()?;
+        }
         while colors.len() < 2 && self.at_expression()? {
             colors.push(self.rgb()?);
             self.comma()?;
@@ -165,7 +173,7 @@ impl Parser {
             }
         }
         if read.fresnel && colors.len() < 2 {
-            min = crate::color::Rgb::ZERO;
+            min = Rgb::ZERO;
         }
         read.min = min;
         self.close_block(&items::REFLECTION)?;

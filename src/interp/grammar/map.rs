@@ -4,7 +4,7 @@ use super::pattern::Place;
 use crate::color::Color;
 use crate::interp::value::Map;
 use crate::interp::{Parser, Result, Value};
-use crate::material::{Normal, Pigment, Texture};
+use crate::material::{Normal, NormalKind, Pigment, Texture};
 use crate::pattern::{BlendMap, ColorMap};
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Punct, Tok};
@@ -86,9 +86,12 @@ impl Parser {
         match self.expression()? {
             Value::Float(second) => {
                 self.comma()?;
-                entries.push((key, self.color()?));
-                self.comma()?;
-                entries.push((second as f32, self.color()?));
+                for key in [key, second as f32] {
+                    if self.peek()?.tok != Tok::Word(Keyword::Color) {
+                        return Err(self.unexpected("`color`"));
+                    }
+                    entries.push((key, self.color()?));
+                }
             }
             Value::Vector(_, c) => {
                 let color = self.color_parts(Color::from_components(c.map(|c| c as f32)))?;
@@ -150,8 +153,12 @@ impl Parser {
         };
         self.map_body(chosen, |parser, entries| {
             let key = parser.map_key(average)?;
-            let base = parser.default_normal();
-            entries.push((key, Arc::new(parser.normal_body(base)?)));
+            let (base, span) = (parser.default_normal(), parser.peek()?.span);
+            let normal = parser.normal_body(base)?;
+            if matches!(normal.kind, NormalKind::Flat) {
+                parser.lenient(Diagnostic::warning(span, "this normal has no pattern"))?;
+            }
+            entries.push((key, Arc::new(normal)));
             Ok(())
         })
     }

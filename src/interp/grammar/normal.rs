@@ -43,11 +43,13 @@ impl Parser {
         if matches!(normal.kind, NormalKind::Average) && normal.map.is_none() {
             return Err(Box::new(Diagnostic::error(start, "an average must have a normal_map")));
         }
+        normal.settle();
         self.check_depth(normal.depth(), start)?;
+        self.check_cost(normal.cost(), start)?;
         Ok(normal)
     }
 
-    fn normal_type(&mut self, normal: &mut Normal) -> Result<()> {
+    pub(super) fn normal_type(&mut self, normal: &mut Normal) -> Result<()> {
         let token = self.peek()?;
         match token.tok {
             Tok::Word(Keyword::UvMapping) => {
@@ -77,9 +79,6 @@ impl Parser {
                     if let Some(items) = items {
                         normal.map = self.normal_list(items)?;
                         self.end_pattern(token)?;
-                        if normal.map.is_some() {
-                            return Ok(());
-                        }
                     }
                 }
             }
@@ -115,6 +114,10 @@ impl Parser {
     fn normal_modifier(&mut self, normal: &mut Normal) -> Result<bool> {
         let token = self.peek()?;
         match token.tok {
+            Tok::Word(word @ (Keyword::NormalMap | Keyword::SlopeMap)) if !may_have(normal, word) => {
+                let message = format!("this kind of normal cannot have a `{}`", word.text());
+                return Err(Box::new(Diagnostic::error(token.span, message)));
+            }
             Tok::Word(Keyword::NormalMap) => {
                 self.next()?;
                 let average = matches!(normal.kind, NormalKind::Average);
@@ -139,5 +142,19 @@ impl Parser {
             _ => return self.signal_modifier(&mut normal.signal),
         }
         Ok(true)
+    }
+}
+
+/// Whether the normal's pattern goes with that map. One without a pattern keeps it for a later one.
+fn may_have(normal: &Normal, map: Keyword) -> bool {
+    let pattern = &normal.signal.pattern;
+    match normal.kind {
+        NormalKind::Patterned => {
+            pattern.character().items.is_none()
+                && (map == Keyword::SlopeMap || !pattern.is_for_normals_only())
+        }
+        NormalKind::Flat => true,
+        NormalKind::Average => map == Keyword::NormalMap,
+        NormalKind::Image(_) | NormalKind::Uv(_) => false,
     }
 }

@@ -2,8 +2,10 @@
 
 use super::finish::Albedo;
 use super::pattern::Place;
+use crate::color::Rgb;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Layer, Normal, NormalKind, Pigment, Texture};
+use crate::pattern::Wave;
 use crate::source::Diagnostic;
 use crate::syntax::{Keyword, Tok};
 use std::sync::Arc;
@@ -18,7 +20,11 @@ impl Parser {
                 patterned => return Ok(patterned),
             }
         }
-        self.old_crand(&mut layers)?;
+        match self.peek()?.tok {
+            Tok::Word(Keyword::Tiles) => return self.tiles(),
+            Tok::Word(Keyword::MaterialMap) => return self.material_map(),
+            _ => self.old_crand(&mut layers)?,
+        }
         let mut albedo = Albedo::default();
         while self.old_texture_item(&mut layers, &mut albedo)? {}
         Ok(Texture::Layers(layers))
@@ -54,6 +60,11 @@ impl Parser {
         if self.layer_part(layer)? {
             return Ok(true);
         }
+        if self.accept(Keyword::Ambient)? {
+            let ambient = self.float()? as f32;
+            Arc::make_mut(&mut layer.finish).ambient = Rgb::new(ambient, ambient, ambient);
+            return Ok(true);
+        }
         if self.finish_item(Arc::make_mut(&mut layer.finish), albedo)? {
             return Ok(true);
         }
@@ -64,8 +75,18 @@ impl Parser {
             layer.normal = Some(Arc::new(self.old_normal()?));
             return Ok(true);
         }
+        if self.peek()?.tok == Tok::Word(Keyword::BumpMap) {
+            let mut normal = Normal::default();
+            self.normal_type(&mut normal)?;
+            layer.normal = Some(Arc::new(normal));
+            return Ok(true);
+        }
         let mut pigment: Pigment = (*layer.pigment).clone();
         let typed = self.pigment_type(&mut pigment, Place::Pigment)?;
+        if typed {
+            // Marble and wood had no wave of their own then.
+            pigment.signal.wave = Wave::Ramp;
+        }
         let mut modified = false;
         while self.pigment_modifier(&mut pigment, Place::Pigment)? {
             modified = true;

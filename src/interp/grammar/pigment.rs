@@ -2,7 +2,6 @@
 
 use super::image::ImageUse;
 use super::pattern::Place;
-use crate::color::Color;
 use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result, Value};
 use crate::material::{Pigment, PigmentKind, PigmentMap};
@@ -13,6 +12,9 @@ use std::sync::Arc;
 
 /// Pigments, normals and textures nest this deep at most, so that evaluating them keeps within the stack.
 pub(super) const DEEPEST: u32 = 100;
+
+/// Most pigments, normals and textures that one point may ask for.
+const MOST_ASKED: f64 = 1e6;
 
 impl Parser {
     /// A pigment made from the default one.
@@ -27,7 +29,7 @@ impl Parser {
         self.braced_pigment(base)
     }
 
-    /// A pigment that gives the density of a medium; white without a pattern.
+    /// A pigment that gives the density of a medium; black without a pattern.
     pub fn density_statement(&mut self) -> Result<Arc<Pigment>> {
         self.expect(Keyword::Density)?;
         self.expect_punct(Punct::LeftBrace)?;
@@ -39,7 +41,7 @@ impl Parser {
 
     pub(super) fn default_pigment(&self, place: Place) -> Pigment {
         match place {
-            Place::Density => Pigment::plain_color(Color::WHITE),
+            Place::Density => Pigment::default(),
             _ => (*self.scene.default_layer.pigment).clone(),
         }
     }
@@ -77,7 +79,18 @@ impl Parser {
         }
         pigment.settle();
         self.check_depth(pigment.depth(), start)?;
+        self.check_cost(pigment.cost(), start)?;
         Ok(pigment)
+    }
+
+    /// Maps of maps multiply: what would take this long at every point is refused before it begins.
+    pub(super) fn check_cost(&self, cost: f64, span: Span) -> Result<()> {
+        if cost <= MOST_ASKED {
+            return Ok(());
+        }
+        let message =
+            "pigments, normals or textures within each other: one point asks for more than a million";
+        Err(Box::new(Diagnostic::error(span, message)))
     }
 
     pub(in crate::interp) fn check_depth(&self, depth: u32, span: Span) -> Result<()> {
@@ -91,6 +104,12 @@ impl Parser {
 
     /// A colour or a pattern, if one comes.
     pub(super) fn pigment_type(&mut self, pigment: &mut Pigment, place: Place) -> Result<bool> {
+        let typed = self.named_type(pigment, place)?;
+        pigment.typed |= typed;
+        Ok(typed)
+    }
+
+    fn named_type(&mut self, pigment: &mut Pigment, place: Place) -> Result<bool> {
         let token = self.peek()?;
         match token.tok {
             Tok::Word(Keyword::UvMapping) => {
@@ -196,7 +215,7 @@ impl Parser {
         let fits = match pigment.kind {
             PigmentKind::Patterned => pigment.signal.pattern.character().items.is_none(),
             PigmentKind::Average => average,
-            _ => false,
+            _ => !pigment.typed,
         };
         match fits {
             true => Ok(()),

@@ -98,6 +98,7 @@ impl Parser {
             },
         };
         self.check_depth(texture.depth(), start)?;
+        self.check_cost(texture.cost(), start)?;
         Ok(texture)
     }
 
@@ -145,7 +146,7 @@ impl Parser {
                 let base = layer.normal.as_deref().cloned().unwrap_or_default();
                 let normal = self.normal_statement_from(base)?;
                 if matches!(normal.kind, NormalKind::Flat) {
-                    self.warn(Diagnostic::warning(token.span, "this normal has no pattern"));
+                    self.lenient(Diagnostic::warning(token.span, "this normal has no pattern"))?;
                 }
                 layer.normal = Some(Arc::new(normal));
             }
@@ -165,7 +166,7 @@ impl Parser {
     }
 
     /// A named patterned texture can only be moved.
-    fn moved_texture(&mut self, mut texture: Texture) -> Result<Texture> {
+    pub(super) fn moved_texture(&mut self, mut texture: Texture) -> Result<Texture> {
         while let Some(transform) = self.transformation()? {
             texture.transform(&transform);
         }
@@ -235,7 +236,7 @@ impl Parser {
     }
 
     /// `material_map { image texture… }`.
-    fn material_map(&mut self) -> Result<Texture> {
+    pub(super) fn material_map(&mut self) -> Result<Texture> {
         self.expect(Keyword::MaterialMap)?;
         self.expect_punct(Punct::LeftBrace)?;
         let (image, _) = self.image_with_settings(ImageUse::Materials)?;
@@ -251,7 +252,7 @@ impl Parser {
     }
 
     /// `tiles { texture… tile2 texture… }`: a checker in the old way of writing.
-    fn tiles(&mut self) -> Result<Texture> {
+    pub(super) fn tiles(&mut self) -> Result<Texture> {
         self.expect(Keyword::Tiles)?;
         self.expect_punct(Punct::LeftBrace)?;
         let first = joined(&self.layered_texture_statement()?);
