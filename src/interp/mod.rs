@@ -42,6 +42,7 @@ pub(crate) use lookup::Kind as FileKind;
 pub use options::{Frame, IncludeMode, Options, SceneSource};
 pub use parser::Parser;
 pub(crate) use places::Access;
+pub use suggest::nearest_word;
 pub use value::{Array, Material, Value};
 
 use crate::source::Diagnostic;

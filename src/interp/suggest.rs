@@ -118,6 +118,11 @@ pub(super) fn nearest_file(name: &str, known: impl Iterator<Item = String>) -> O
         .map(|(_, known)| known)
 }
 
+/// The one of these words most like `name`, if one is near.
+pub fn nearest_word<'a>(name: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    words.filter_map(|word| Some((distance(name, word, true)?, word))).min().map(|(_, word)| word)
+}
+
 /// What a letter changed, added or left out counts.
 const LETTER: usize = 2;
 /// What two neighbours that changed places count: no other slip is as common.

@@ -161,6 +161,11 @@ pub(super) const PHOTONS: Items = Items {
 
 pub(super) const SUBSURFACE: Items = Items { noun: "a setting of `subsurface`", words: "radiosity samples" };
 
+pub(super) const WARP: Items = Items {
+    noun: "a kind of warp (turbulence, repeat, black_hole, spherical, cylindrical, toroidal, planar, cubic)",
+    words: "black_hole cubic cylindrical planar repeat spherical toroidal turbulence",
+};
+
 pub(super) const IMAGE_TYPES: Items = Items {
     noun: "an image's type or its file name",
     words: "bmp exr function gif hdr iff jpeg pgm png ppm tga tiff",

@@ -35,6 +35,15 @@ pub fn of(words: &[OsString]) -> Result<Syntax, Failure> {
         return povray(rest[1..].to_vec());
     }
     let sorted = Sorted::of(&rest, false);
+    if let Some(word) = rest.first()
+        && rest.len() > 1
+        && let Some(command) = mistyped(word)
+    {
+        return Err(Failure::usage(format!(
+            "`{word}` is no command and no scene\n  did you mean `glint {command} {}`?",
+            rest[1..].join(" ")
+        )));
+    }
     if sorted.povray.is_empty() {
         return Ok(Syntax::Glint(with_command(words)));
     }
@@ -60,6 +69,15 @@ fn mixed(line: &Sorted, povray: &str) -> Failure {
         "{povray} is POV-Ray's command-line syntax and `{glint}` is Glint's; they cannot be mixed.\n{}",
         translate::translated(line),
     ))
+}
+
+/// The command that a word nearly is which names no file.
+fn mistyped(word: &str) -> Option<&'static str> {
+    let is_name = word.chars().all(|c| c.is_ascii_alphabetic());
+    if !is_name || COMMANDS.contains(&word) || Path::new(word).exists() {
+        return None;
+    }
+    crate::interp::nearest_word(word, COMMANDS.iter().copied())
 }
 
 /// Puts the default command where none was typed.

@@ -135,7 +135,7 @@ impl Parser {
                 self.set_charset(word != Keyword::Ascii);
                 Ok(())
             }
-            _ => Err(Box::new(Diagnostic::error(token.span, "expected `ascii`, `utf8` or `sys`"))),
+            _ => Err(self.unexpected_token(token, "`ascii`, `utf8` or `sys`")),
         }
     }
 

@@ -20,7 +20,7 @@ impl Parser {
             Err(JuliaError::SliceAlongFourth) => "the fourth component of the slice's normal must not be 0",
             Err(JuliaError::NotForQuaternions) => {
                 let message = "quaternions know `sqr` and `cube` only: `sqr` is taken";
-                self.warn(Diagnostic::warning(keyword.span, message).with_hint("write `hypercomplex`"));
+                self.lenient(Diagnostic::warning(keyword.span, message).with_hint("write `hypercomplex`"))?;
                 let square = JuliaSettings { function: JuliaFunction::Square, ..settings };
                 match Julia::new(&square) {
                     Ok(julia) => return Ok(from_shape(julia)),

@@ -70,7 +70,9 @@ impl Parser {
             }
             self.next()?;
         }
-        self.expect_punct(Punct::RightBrace)?;
+        let close = self.expect_punct(Punct::RightBrace)?;
+        let fits = !light.grid.circular || (light.grid.size1 > 1 && light.grid.size2 > 1);
+        self.demand(fits, close.span, "a circular area light has at least 2 lamps along each side")?;
         Ok(Object::new(Body::Light(Arc::new(light.finished()))))
     }
 
@@ -113,6 +115,12 @@ impl Parser {
     }
 
     fn light_grid_item(&mut self, light: &mut LightBuilder, word: Keyword) -> Result<bool> {
+        if word == Keyword::ColorMap {
+            let span = self.last;
+            self.color_map()?;
+            self.warn(Diagnostic::warning(span, "a `color_map` changes nothing in a light source"));
+            return Ok(true);
+        }
         let grid = &mut light.grid;
         match word {
             Keyword::AreaLight => {

@@ -92,6 +92,9 @@ impl Parser {
             }
         }
         if draft.builder.faces.is_empty() {
+            if matches!(self.peek()?.tok, Tok::Identifier(_)) {
+                return Err(self.unexpected("`triangle`, `smooth_triangle` or `obj`"));
+            }
             return Err(Box::new(Diagnostic::error(keyword.span, "there is no triangle in the mesh")));
         }
         let mut object = from_shape(draft.builder.build());

@@ -25,6 +25,9 @@ impl Parser {
         let mut textures = Vec::new();
         while self.mesh2_vectors(&mut builder, &mut textures)? {}
         if builder.vertices.is_empty() {
+            if matches!(self.peek()?.tok, Tok::Identifier(_)) {
+                return Err(self.unexpected("`vertex_vectors`"));
+            }
             return Err(Box::new(Diagnostic::error(keyword.span, "the mesh has no `vertex_vectors`")));
         }
         self.face_indices(&mut builder, textures.len())?;

@@ -21,6 +21,8 @@ impl Parser {
                 return Err(self.unexpected_item(&items::OBJECT));
             }
         }
+        let fits = object.interior_textures.is_empty() || !object.textures.is_empty();
+        self.demand(fits, self.last, "an `interior_texture` needs a `texture` beside it")?;
         object.take_interior_from_finish();
         Ok(())
     }

@@ -12,8 +12,15 @@ const MAX_SPHERES: f64 = 1e7;
 
 impl Parser {
     pub(super) fn superellipsoid(&mut self, keyword: Token) -> Result<Object> {
+        /// The exponent that stands for those that are not above 0.
+        const LEAST: f64 = 1e-3;
         let e = self.vector2()?;
-        match Superellipsoid::new(e.x, e.y) {
+        if e.x <= 0.0 || e.y <= 0.0 {
+            let text = "a superellipsoid's exponents are above 0: this is read as 0.001";
+            self.warn(Diagnostic::warning(keyword.span, text));
+        }
+        let [x, y] = [e.x, e.y].map(|e| if e <= 0.0 { LEAST } else { e });
+        match Superellipsoid::new(x, y) {
             Some(shape) => Ok(from_shape(shape)),
             None => {
                 let why = "its two exponents must be positive numbers";

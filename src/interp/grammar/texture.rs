@@ -212,6 +212,9 @@ impl Parser {
             }
         }
         let Some(map) = map else {
+            if matches!(self.peek()?.tok, Tok::Identifier(_)) {
+                return Err(self.unexpected("`texture_map`"));
+            }
             return Err(Box::new(Diagnostic::error(
                 token.span,
                 "a patterned texture must have a texture_map",

@@ -1,6 +1,7 @@
 //! `warp { … }`.
 
 use super::pattern::direction;
+use crate::interp::vocabulary as items;
 use crate::interp::{Parser, Result};
 use crate::math::Vec3;
 use crate::pattern::Turbulence;
@@ -24,11 +25,7 @@ impl Parser {
             }
             Tok::Word(Keyword::Planar) => Warp::Planar(self.planar_warp()?),
             Tok::Word(Keyword::Cubic) => Warp::Cubic,
-            _ => {
-                let message = "this is no kind of warp";
-                let hint = "there are turbulence, repeat, black_hole, spherical, cylindrical, toroidal, planar and cubic";
-                return Err(Box::new(Diagnostic::error(token.span, message).with_hint(hint)));
-            }
+            _ => return Err(self.unexpected_among(token, items::WARP.noun, items::WARP.words)),
         };
         self.expect_punct(Punct::RightBrace)?;
         Ok(warp)
