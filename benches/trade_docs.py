@@ -4,11 +4,14 @@
     benches/trade_docs.py [PART...]
 
 The page's parts stand between `<!-- measured: PART -->` and `<!-- end -->`; without names all are measured, which
-takes about an hour. GLINT names another program than target/release/glint.
+takes about an hour where truths have to be made first. GLINT names another program than target/release/glint. Build it as
+Cargo.toml says: with many units of code samples and estimates take up to twice as long. All but `errors` and `others`, whose
+figures hang on nothing but the program, want a machine that does nothing else.
 """
 
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -19,7 +22,7 @@ PARTS = {
     "errors": ["benches/promises.py", "errors"],
     "others": ["benches/promises.py", "others"],
     "times": ["benches/promises.py", "times"],
-    "povray": ["benches/trade_vs_povray.py", "--runs", "3"],
+    "povray": ["benches/trade_vs_povray.py", "--runs", "3", "--keep"],
     "accel": ["benches/accel.py"],
     "precision": ["cargo", "bench", "--quiet", "--bench", "precision"],
 }
@@ -31,7 +34,9 @@ def main():
         if part not in PARTS:
             sys.exit(f"{part} is none of {', '.join(PARTS)}")
         print(f"measuring {part}: {' '.join(PARTS[part])}", flush=True)
+        begun = time.monotonic()
         done = subprocess.run(PARTS[part], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+        print(f"{part} took {time.monotonic() - begun:.0f} s", flush=True)
         begin, end = f"<!-- measured: {part} -->\n", "<!-- end -->"
         page = PAGE.read_text()
         before, rest = page.split(begin, 1)
