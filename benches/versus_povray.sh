@@ -113,9 +113,9 @@ threads() {
   : >"$work/t1"; : >"$work/t2"; : >"$work/p1"; : >"$work/p2"
   for i in 1 2 3 4 5; do
     for n in 1 2; do
-      "$GLINT" render "$scene" -o "$work/t.png" -W 2400 -H 1800 --threads $n -D Depth=5 --quiet --json >"$work/t.json" || return 1
+      "$GLINT" render "$scene" -o "$work/t.png" -W 2800 -H 2100 --threads $n -D Depth=5 --quiet --json >"$work/t.json" || return 1
       field trace_wall_s "$work/t.json" | grep . >>"$work/t$n" || field wall_s "$work/t.json" >>"$work/t$n"
-      (cd benches/scenes && "$povray" +Isphereflake.pov "+O$PWD_TOP/$work/t_p.png" +W2400 +H1800 -A -J -D +WT$n \
+      (cd benches/scenes && "$povray" +Isphereflake.pov "+O$PWD_TOP/$work/t_p.png" +W2800 +H2100 -A -J -D +WT$n \
         Declare=Depth=5) 2>&1 </dev/null | tr '\r' '\n' | sed -n 's/.*Trace Time:.*(\([0-9.]*\) seconds).*/\1/p' >>"$work/p$n"
     done
   done
