@@ -6,7 +6,7 @@
 //! members. A few pixels of every class are doubled only for this, picked by chance, so that a class in
 //! which nothing seems to be wrong is held to account as well.
 
-use super::convergence::{ACROSS, Convergence, LEVELS};
+use super::convergence::{Convergence, LEVELS};
 
 /// Classes of expected errors: factors of 4 from 1 down.
 pub const BINS: usize = 14;
@@ -114,8 +114,7 @@ impl Calibration {
             }
         }
         // New samples of the first level have no equal halves.
-        let first = noise[2].max(0.0);
-        (noise[0], noise[1], noise[ACROSS]) = (first, first, first);
+        (noise[0], noise[1]) = (noise[2].max(0.0), noise[2].max(0.0));
         Convergence::of(&noise)
     }
 

@@ -10,8 +10,6 @@
 //! of one sample becomes that of the mean of n by [`Convergence`].
 
 use super::convergence::{Convergence, LEVELS, level};
-use super::edges::Differences;
-use super::heading::Heading;
 use super::lift::lift;
 use super::tally::{Samples, Tally};
 use crate::color::Rgb;
@@ -56,7 +54,6 @@ pub struct Around {
     within: f32,
     /// How light changes, so far as neighbours agree on it.
     slope: Slope,
-    pub differences: Differences,
     /// What is added to the pixel's mean ([`super::lift`]).
     pub lift: Rgb,
 }
@@ -137,18 +134,6 @@ impl Survey {
         expected
     }
 
-    /// The way in which light changes most at a pixel.
-    pub fn heading(&self, i: usize) -> Option<Heading> {
-        let view = View { seen: &self.seen, width: self.width };
-        let (x, y) = (i % self.width, i / self.width);
-        let own = self.seen[i].light;
-        let place = move |j: usize| {
-            let (column, row) = (j % view.width, j / view.width);
-            (column as f32 - x as f32, row as f32 - y as f32, view.seen[j].light - own)
-        };
-        Heading::of(view.neighbours(x, y).map(place))
-    }
-
     /// For each pixel of one sample whose neighbours are all alike: by how much (squared) it stands out.
     pub fn surprises(&self) -> impl Iterator<Item = f32> {
         let view = View { seen: &self.seen, width: self.width };
@@ -215,7 +200,7 @@ struct View<'a> {
 
 impl View<'_> {
     /// A pixel and those around it, row by row.
-    fn neighbours(self, x: usize, y: usize) -> impl Iterator<Item = usize> + Clone {
+    fn neighbours(self, x: usize, y: usize) -> impl Iterator<Item = usize> {
         let (width, height) = (self.width, self.seen.len() / self.width);
         let columns = x.saturating_sub(1)..(x + 2).min(width);
         (y.saturating_sub(1)..(y + 2).min(height))
@@ -239,8 +224,8 @@ impl View<'_> {
         if sums.vv == Vec3A::ZERO {
             return Around { within, ..Around::default() };
         }
-        let (residual, slope, differences) = sums.plane();
-        Around { residual, within, slope, differences, ..Around::default() }
+        let (residual, slope) = sums.plane();
+        Around { residual, within, slope, ..Around::default() }
     }
 
     fn surprise(self, x: usize, y: usize) -> Option<f32> {
@@ -258,7 +243,6 @@ impl View<'_> {
 struct Sums {
     spread: f32,
     freedom: f32,
-    sampled: u8,
     n: f32,
     x: f32,
     y: f32,
@@ -277,7 +261,6 @@ impl Sums {
         let v = s.light - base;
         self.spread += s.spread;
         self.freedom += s.freedom;
-        self.sampled += u8::from(s.sampled);
         self.n += 1.0;
         (self.x, self.y) = (self.x + x, self.y + y);
         (self.xx, self.xy, self.yy) = (self.xx + x * x, self.xy + x * y, self.yy + y * y);
@@ -287,13 +270,13 @@ impl Sums {
 
     /// The plane nearest to the pixels: mean squared residual over the channels, and slopes, made smaller the less
     /// the plane explains.
-    fn plane(&self) -> (f32, Slope, Differences) {
+    fn plane(&self) -> (f32, Slope) {
         let n = self.n;
         let (xx, xy) = (self.xx - self.x * self.x / n, self.xy - self.x * self.y / n);
         let yy = self.yy - self.y * self.y / n;
         let det = xx * yy - xy * xy;
         if n < 4.0 || det <= 1e-3 * xx * yy {
-            return (0.0, Slope::default(), Differences::default());
+            return (0.0, Slope::default());
         }
         let (xv, yv) = (self.xv - self.x * self.v / n, self.yv - self.y * self.v / n);
         let vv = self.vv - self.v * self.v / n;
@@ -301,9 +284,7 @@ impl Sums {
         let explained = (gx * xv + gy * yv).max(Vec3A::splat(f32::MIN_POSITIVE));
         let left = (vv - explained).max(Vec3A::ZERO) / (n - 3.0);
         let share = (Vec3A::ONE - 2.0 * left / explained).max(Vec3A::ZERO);
-        let (sum, all) = (left.element_sum(), vv.element_sum());
-        let differences = Differences { all, left: sum * (n - 3.0), sampled: self.sampled };
-        (sum, [gx * share, gy * share], differences)
+        (left.element_sum(), [gx * share, gy * share])
     }
 }
 

@@ -12,15 +12,12 @@ use crate::picture::Pixel;
 
 /// For 1, 2, 4 and 8 samples: weights of the four neighbours beside a pixel and of the four at its corners.
 const WEIGHTS: [(f32, f32); 4] = [(0.105, 0.0), (0.1, -0.01), (0.065, -0.025), (0.04, -0.02)];
-/// The same where samples lie across an edge.
-const WEIGHTS_ACROSS: [(f32, f32); 4] = [(0.105, 0.0), (0.065, 0.0), (0.04, 0.0), (0.015, 0.0)];
 
 /// What is to be added to the mean of the pixel in a row and a column.
 pub fn lift(tally: &Tally, x: usize, y: usize) -> Rgb {
     let width = tally.width();
     let own = &tally.pixels[y * width + x];
-    let weights = if own.across { &WEIGHTS_ACROSS } else { &WEIGHTS };
-    let Some(&(beside, corner)) = weights.get(own.count.max(1).ilog2() as usize) else { return Rgb::ZERO };
+    let Some(&(beside, corner)) = WEIGHTS.get(own.count.max(1).ilog2() as usize) else { return Rgb::ZERO };
     let mean = |x: usize, y: usize| clipped(tally.pixels[y * width + x].pixel().rgb);
     let twice = 2.0 * clipped(own.pixel().rgb);
     // At the picture's border nothing is known of what lies beyond.

@@ -8,11 +8,9 @@
 //! | round | every pixel of the plan is doubled once; so are a few others, to hold expectations to account |
 //!
 //! Survey, plan and round repeat until the picture's expected error is below the target. A round's work
-//! depends on earlier rounds alone, and a pixel's samples on pixel, seed, number and what earlier rounds found, so that
-//! the picture is the same whatever the number of threads. Work is begun in a fixed order: a render that time
+//! depends on earlier rounds alone, and a pixel's samples on pixel, seed and number alone, so that the
+//! picture is the same whatever the number of threads. Work is begun in a fixed order: a render that time
 //! ended after N samples is repeated by allowing N samples.
-//!
-//! At edges ([`edges`]) a pixel's second sample lies where its neighbours tell that the edge is ([`heading`]).
 //!
 //! The filter is the box of one pixel. Means of few samples are lifted towards their neighbours' (`lift`), which
 //! know of the same edges.
@@ -20,10 +18,8 @@
 mod calibration;
 mod coarse;
 mod convergence;
-mod edges;
 mod estimate;
 mod gaps;
-mod heading;
 mod lift;
 mod locality;
 mod order;

@@ -6,8 +6,7 @@
 //! carried out, and then pixels are looked at again.
 
 use super::calibration::{BINS, Calibration, bin};
-use super::convergence::{ACROSS, Convergence, LEVELS, following, level, level_near, next_level, step};
-use super::edges::Edges;
+use super::convergence::{Convergence, LEVELS, following, level, next_level, step};
 use super::estimate::Expected;
 use super::gaps::{Gaps, KINDS};
 use super::sequence::mix;
@@ -57,8 +56,8 @@ impl Task {
         Self { pixel, from: 0, to, plain: 0.0, local: 0.0 }
     }
 
-    fn doubling(pixel: usize, samples: &Samples, e: &Expected, edges: bool) -> Self {
-        let (from, to) = (samples.count, following(samples.count, level_near(samples.count, edges)));
+    fn doubling(pixel: usize, samples: &Samples, e: &Expected) -> Self {
+        let (from, to) = (samples.count, following(samples.count));
         Self { pixel: pixel as u32, from, to, plain: e.plain, local: e.local }
     }
 }
@@ -71,7 +70,6 @@ pub struct Planner<'a> {
     pub expected: &'a [Expected],
     pub calibration: &'a Calibration,
     pub gaps: &'a Gaps,
-    pub edges: &'a Edges,
     pub convergence: &'a Convergence,
     /// Samples of the whole picture so far, and its expected squared error.
     pub samples: u64,
@@ -87,11 +85,9 @@ impl Planner<'_> {
         let mut ladder = Ladder::new();
         let least = LEAST_ERROR * (self.total / self.expected.len() as f64) as f32;
         let mut rungs = vec![(Ladder::RUNGS - 1) as u8; self.expected.len()];
-        for (i, ((rung, e), samples)) in
-            rungs.iter_mut().zip(self.expected).zip(&self.tally.pixels).enumerate()
-        {
+        for ((rung, e), samples) in rungs.iter_mut().zip(self.expected).zip(&self.tally.pixels) {
             if e.variance >= least {
-                *rung = ladder.add(e, samples, self.edges.is_near(i), self.convergence) as u8;
+                *rung = ladder.add(e, samples, self.convergence) as u8;
             }
         }
         ladder.climb(self.convergence);
@@ -110,7 +106,7 @@ impl Planner<'_> {
         for i in self.order.iter().map(|&i| i as usize) {
             if is_chosen(i) {
                 let place = &mut next[rung(i)];
-                tasks[*place] = self.doubling(i);
+                tasks[*place] = Task::doubling(i, &self.tally.pixels[i], &self.expected[i]);
                 *place += 1;
             } else {
                 rest.push(i);
@@ -120,10 +116,6 @@ impl Planner<'_> {
             self.audit(&rest, &mut tasks);
         }
         tasks
-    }
-
-    fn doubling(&self, i: usize) -> Task {
-        Task::doubling(i, &self.tally.pixels[i], &self.expected[i], self.edges.is_near(i))
     }
 
     /// The class that pixel `i` belongs to; gaps' stand behind all levels.
@@ -149,7 +141,7 @@ impl Planner<'_> {
             let samples = &self.tally.pixels[i];
             let draw = || f64::from(mix(mix(i as u32 ^ 0x5BD1_E995) ^ self.round)) / 4_294_967_296.0;
             if chance > 0.0 && samples.count < MAX_COUNT && draw() < chance {
-                tasks.push(self.doubling(i));
+                tasks.push(Task::doubling(i, samples, &self.expected[i]));
             }
         }
     }
@@ -186,13 +178,13 @@ impl Planner<'_> {
 
 /// Error that doubling takes away, per ray; of a gap, that which its first sample takes away.
 #[inline]
-fn gain(e: &Expected, samples: &Samples, edges: bool, convergence: &Convergence) -> f32 {
+fn gain(e: &Expected, samples: &Samples, convergence: &Convergence) -> f32 {
     let rays_per_sample = (samples.rays / samples.count.max(1) as f32).max(1.0);
     match samples.count {
         0 => first_gain(e) / rays_per_sample,
         count => {
-            let level = level_near(count, edges);
-            e.variance * (1.0 - convergence.ratio[level]) / (step(level) as f32 * rays_per_sample)
+            let samples = (following(count) - count) as f32;
+            e.variance * (1.0 - convergence.ratio[level(count)]) / (samples * rays_per_sample)
         }
     }
 }
@@ -233,8 +225,8 @@ impl Ladder {
 
     /// The first doubling of one pixel; its rung.
     #[inline]
-    fn add(&mut self, e: &Expected, samples: &Samples, edges: bool, convergence: &Convergence) -> usize {
-        let own = Self::rung(gain(e, samples, edges, convergence));
+    fn add(&mut self, e: &Expected, samples: &Samples, convergence: &Convergence) -> usize {
+        let own = Self::rung(gain(e, samples, convergence));
         let mut rung = own;
         let mut variance = e.variance;
         if samples.count == 0 {
@@ -243,9 +235,9 @@ impl Ladder {
             self.variance[rung] += f64::from(first);
             variance -= first;
             let next = Expected { variance, ..*e };
-            rung = rung.max(Self::rung(gain(&next, &Samples { count: 1, ..*samples }, edges, convergence)));
+            rung = rung.max(Self::rung(gain(&next, &Samples { count: 1, ..*samples }, convergence)));
         }
-        let entry = &mut self.first[level_near(samples.count, edges) * Self::RUNGS + rung];
+        let entry = &mut self.first[level(samples.count) * Self::RUNGS + rung];
         entry.0 += 1.0;
         entry.1 += f64::from(variance);
         own
@@ -262,7 +254,7 @@ impl Ladder {
                 }
                 let mut below = 0.0;
                 let mut k = l;
-                while k < level(MAX_COUNT) || k == ACROSS {
+                while k < level(MAX_COUNT) {
                     let rung = r + (below * f64::from(Self::PER_OCTAVE)).round() as usize;
                     if rung >= Self::RUNGS - 1 {
                         break;
@@ -308,23 +300,23 @@ mod tests {
         Expected { plain: variance, local: variance, variance }
     }
 
-    /// With the preset convergence three more samples take 70 % of the error of one away, four more 58 % of what is
-    /// left: 0.7 / 3 = 0.23 a sample, then 0.3 * 0.58 / 4 = 0.04.
+    /// With the preset convergence three more samples take 70 % of the error of one away, four more 62 % of what is
+    /// left: 0.7 / 3 = 0.23 a sample, then 0.3 * 0.62 / 4 = 0.05.
     #[test]
     fn the_ladder_holds_all_doublings_of_a_pixel() {
         let mut ladder = Ladder::new();
         let convergence = Convergence::default();
-        ladder.add(&of(1.0), &samples(1), false, &convergence);
+        ladder.add(&of(1.0), &samples(1), &convergence);
         ladder.climb(&convergence);
         let first = Ladder::rung(0.7 / 3.0);
-        let second = Ladder::rung(0.3 * 0.58 / 4.0);
+        let second = Ladder::rung(0.3 * 0.62 / 4.0);
         assert!(first < second);
         assert_eq!(ladder.samples[first], 3.0);
         assert!((ladder.variance[first] - 0.7).abs() < 1e-6);
         let next = (first + 1..Ladder::RUNGS).find(|&r| ladder.samples[r] > 0.0).unwrap();
         assert!(next.abs_diff(second) <= 1, "{next} {second}");
         assert_eq!(ladder.samples[next], 4.0);
-        assert!((ladder.variance[next] - 0.3 * 0.58).abs() < 1e-6);
+        assert!((ladder.variance[next] - 0.3 * 0.62).abs() < 1e-6);
         assert_eq!(ladder.cut(10.0, Some(0.69)), first);
         assert_eq!(ladder.cut(10.0, Some(0.8)), next);
     }
@@ -340,7 +332,7 @@ mod tests {
     fn rays_are_what_samples_cost() {
         let convergence = Convergence::default();
         let dear = Samples { rays: 8.0, ..samples(4) };
-        let cheap = gain(&of(0.1), &samples(4), false, &convergence);
-        assert!((gain(&of(0.1), &dear, false, &convergence) * 2.0 - cheap).abs() < 1e-7);
+        let cheap = gain(&of(0.1), &samples(4), &convergence);
+        assert!((gain(&of(0.1), &dear, &convergence) * 2.0 - cheap).abs() < 1e-7);
     }
 }

@@ -1,13 +1,9 @@
-//! Where a pixel's samples lie: sixteen places that do best at edges of any direction, or of a known one, then a scrambled (0, 2)-sequence of the
+//! Where a pixel's samples lie: sixteen places that do best at edges, then a scrambled (0, 2)-sequence of the
 //! pixel's own.
 //!
 //! The first sample lies in the centre: at edges of random place and direction it is off by 0.37 of what a sample at a
 //! random place is off by (squared). The first 4, 8 and 16 places were searched for the same: 0.72, 0.7 and 0.7 of what
 //! as many of the sequence are off by. Every pixel has them turned or mirrored in one of eight ways of its own.
-//!
-//! Where neighbours tell which way an edge runs, the next places lie on both sides of it: the second one on the side on
-//! which the edge is expected. One more sample then leaves 0.4 of the squared error of one, which takes three more elsewhere,
-//! and three more leave 0.2. The places were searched for this over edges, slightly curved, and four scenes.
 //!
 //! Of the (0, 2)-sequence the first 2^k samples of a pixel, and every later run of 2^k that begins at a multiple of 2^k, put one
 //! sample in each cell of every grid of 2^k equal rectangles with sides that are powers of two. The mean of
@@ -19,16 +15,12 @@
 //! (t,m,s)-nets and (t,s)-sequences", 1995; B. Burley, "Practical hash-based Owen scrambling", JCGT 9(4),
 //! 2020, for scrambling by a hash whose bits depend on higher bits alone.
 
-use super::heading::Heading;
-
 /// The samples of one pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Sequence {
     scramble: [u32; 2],
     /// One of eight ways to turn or mirror [`FIRST`]; none if all samples are the sequence's.
     turn: Option<u32>,
-    /// Where an edge is expected.
-    heading: Option<Heading>,
 }
 
 /// The first places of every pixel.
@@ -51,36 +43,11 @@ const FIRST: [(f64, f64); 16] = [
     (-0.2129, 0.0381),
 ];
 
-/// Where an edge is expected: the first places along its heading, of what the pixel measures that way, and across it.
-const ACROSS: [(f64, f64); 16] = [
-    (0.0, 0.0),
-    (0.25, 0.0),
-    (0.129, -0.130),
-    (-0.179, 0.274),
-    (0.378, -0.245),
-    (-0.385, -0.085),
-    (0.132, 0.295),
-    (-0.124, -0.380),
-    (0.042, -0.046),
-    (0.238, -0.490),
-    (-0.077, 0.373),
-    (0.446, 0.449),
-    (-0.158, -0.490),
-    (0.252, 0.490),
-    (-0.288, -0.424),
-    (-0.323, 0.425),
-];
-
 impl Sequence {
     /// Pictures with different seeds have nothing to do with each other.
     pub fn new(x: u32, y: u32, seed: u32) -> Self {
         let h = mix(mix(mix(seed ^ 0x9E37_79B9) ^ x) ^ y);
-        Self { scramble: [mix(h ^ 0x68BC_21EB), mix(h ^ 0x02E5_BE93)], turn: Some(h & 7), heading: None }
-    }
-
-    /// With the places between the first and the fourth on both sides of an edge that lies across a heading.
-    pub fn across(self, heading: Option<Heading>) -> Self {
-        Self { heading, ..self }
+        Self { scramble: [mix(h ^ 0x68BC_21EB), mix(h ^ 0x02E5_BE93)], turn: Some(h & 7) }
     }
 
     /// Without the first places: for many samples of equal right.
@@ -90,16 +57,8 @@ impl Sequence {
 
     /// The place of sample `i` relative to the pixel's centre; components lie in -1/2 .. 1/2.
     pub fn offset(&self, i: u32) -> (f64, f64) {
-        if let Some(turn) = self.turn {
-            let known = match self.heading {
-                Some(heading) => ACROSS.get(i as usize).map(|&(along, across)| {
-                    heading.place(along, if turn & 1 == 0 { across } else { -across })
-                }),
-                None => FIRST.get(i as usize).map(|&place| turned(place, turn)),
-            };
-            if let Some(place) = known {
-                return place;
-            }
+        if let (Some(turn), Some(&place)) = (self.turn, FIRST.get(i as usize)) {
+            return turned(place, turn);
         }
         let place = |bits: u32, scramble: u32| {
             // The middle of the cell that the bits name, so that neither border is reached.

@@ -2,11 +2,9 @@
 
 use super::calibration::{Calibration, Measured};
 use super::coarse::stand_ins;
-use super::convergence::{Convergence, level, level_near};
-use super::edges::Edges;
+use super::convergence::{Convergence, level};
 use super::estimate::{Expected, Survey};
 use super::gaps::Gaps;
-use super::heading::Heading;
 use super::lift::{lift, lifted};
 use super::locality::{Locality, Shown};
 use super::order;
@@ -29,8 +27,6 @@ const SEGMENT: usize = 1 << 15;
 /// Of two pixels alike the one whose error was put too low is left as it is: squared errors are so much larger than
 /// expected, once some were chosen (measured over the twelve scenes of `benches/promises.py`).
 const SELECTION: f64 = 1.35;
-/// Where a sample stands out among neighbours that are all alike: its squared error over the squared difference.
-const SURPRISE_TO_ERROR: f32 = 0.58;
 /// From so many samples on all lie at places of equal right.
 const MANY: u32 = 32;
 /// A survey is begun if there is time for this many of its kind.
@@ -47,8 +43,6 @@ pub struct State<'a, S> {
     tally: Tally,
     /// All pixels, square by square.
     order: Vec<u32>,
-    /// Across which way each pixel's second sample lies.
-    headings: Vec<Option<Heading>>,
     /// The last doubling of each pixel.
     shown: Vec<Shown>,
     survey: Survey,
@@ -66,7 +60,6 @@ struct Found {
     samples: Samples,
     /// Squared difference between their halves.
     half_jump: f32,
-    heading: Option<Heading>,
 }
 
 impl<'a, S: Sampler + Send> State<'a, S> {
@@ -82,7 +75,6 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         State {
             survey: Survey::new(&tally),
             order: order::tiled(tally.width(), tally.height()),
-            headings: vec![None; tally.pixels.len()],
             shown: vec![Shown::default(); tally.pixels.len()],
             tally,
             settings,
@@ -201,7 +193,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         let mut expected = self.pool.install(|| survey.look(tally, light, convergence));
         if self.rounds == 0 && !self.settings.has_gaps() {
             for surprise in self.survey.surprises() {
-                self.calibration.record_surprise(SURPRISE_TO_ERROR * surprise);
+                self.calibration.record_surprise(self.convergence.error_from_jump(0, surprise));
             }
         }
         let factors = self.calibration.factors();
@@ -223,14 +215,12 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     }
 
     fn plan(&self, expected: &[Expected], total: f64) -> Vec<Task> {
-        let edges = Edges::new(self.tally.width(), self.survey.around.iter().map(|a| a.differences));
         let planner = Planner {
             tally: &self.tally,
             order: &self.order,
             expected,
             calibration: &self.calibration,
             gaps: &self.gaps,
-            edges: &edges,
             convergence: &self.convergence,
             samples: self.samples,
             total,
@@ -288,8 +278,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
         if old.count > 0 {
             let shown = lifted(&old.pixel(), self.survey.around[task.pixel as usize].lift);
             let jump = squared_distance(&self.settings.light, &shown, &found.samples.pixel());
-            let across = old.count + found.samples.count == 2;
-            let error = self.convergence.error_from_jump(level_near(old.count, across), jump);
+            let error = self.convergence.error_from_jump(level(old.count), jump);
             self.shown[task.pixel as usize] = Shown { expected: task.plain, measured: error };
             self.calibration.record(&Measured {
                 level: level(old.count),
@@ -300,11 +289,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             });
         }
         self.samples += u64::from(found.samples.count);
-        *old = match (old.count, found.samples.count) {
-            (1, 1) => old.with_second(&found.samples),
-            _ => old.join(&found.samples),
-        };
-        self.headings[task.pixel as usize] = found.heading;
+        *old = old.join(&found.samples);
         self.survey.touch(task.pixel as usize);
     }
 
@@ -345,11 +330,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
     fn sample(&self, task: &Task, sampler: &mut S) -> Found {
         let i = task.pixel as usize;
         let (x, y) = self.tally.place(i);
-        let heading = match self.tally.pixels[i].count {
-            1 if task.to == 2 => self.survey.heading(i),
-            _ => self.headings[i],
-        };
-        let sequence = self.sequence(i).across(heading);
+        let sequence = self.sequence(i);
         let before = sampler.rays();
         sampler.begin_block(i);
         let draws = if self.settings.seed == 0 { 0 } else { mix(self.settings.seed) };
@@ -368,7 +349,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
             _ => squared_distance(&self.settings.light, &a.pixel(), &b.pixel()),
         };
         let samples = Samples { rays: (sampler.rays() - before) as f32, ..a.join(&b) };
-        Found { samples, half_jump, heading }
+        Found { samples, half_jump }
     }
 
     /// Draws what has been found so that others can look at it.
@@ -393,7 +374,7 @@ impl<'a, S: Sampler + Send> State<'a, S> {
                 let e = &mut expected[i];
                 match task.from {
                     0 => e.variance = task.local,
-                    from => e.variance *= self.convergence.ratio[level_near(from, task.to == 2)],
+                    from => e.variance *= self.convergence.ratio[level(from)],
                 }
             }
         }

@@ -4,9 +4,6 @@ use crate::color::Rgb;
 use crate::picture::Pixel;
 use crate::render::Region;
 
-/// What the second sample of a pixel counts, the first one being in its centre.
-pub const SECOND: f32 = 0.27;
-
 /// Samples of one pixel, summed up.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Samples {
@@ -17,8 +14,6 @@ pub struct Samples {
     pub spread: [f32; 4],
     /// Rays followed for them.
     pub rays: f32,
-    /// Whether the second one was put across an edge.
-    pub across: bool,
 }
 
 impl Samples {
@@ -38,7 +33,7 @@ impl Samples {
         let n = f64::from(count);
         let mean = std::array::from_fn(|k| (f64::from(first[k]) + sum[k] / n) as f32);
         let spread = std::array::from_fn(|k| (squares[k] - sum[k] * sum[k] / n).max(0.0) as f32);
-        Self { count, mean, spread, ..Self::default() }
+        Self { count, mean, spread, rays: 0.0 }
     }
 
     /// The samples of both.
@@ -59,12 +54,6 @@ impl Samples {
         }
         joined.rays += other.rays;
         joined
-    }
-
-    /// A first sample in the centre and a second one beside it.
-    pub fn with_second(&self, second: &Samples) -> Samples {
-        let mean = std::array::from_fn(|k| self.mean[k] + SECOND * (second.mean[k] - self.mean[k]));
-        Samples { mean, across: true, ..self.join(second) }
     }
 
     #[inline]
