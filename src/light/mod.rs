@@ -11,7 +11,7 @@ mod spot;
 pub use area::AreaLight;
 pub use cylinder::CylinderBeam;
 pub use fade::factor as fade_factor;
-pub use packed::PackedPhoton;
+pub use packed::{PackedPhoton, Turns};
 pub use photon_file::PhotonFile;
 pub use spot::SpotBeam;
 

@@ -61,15 +61,32 @@ impl PackedPhoton {
 
     /// The direction that it came from.
     pub fn towards(&self) -> Vec3 {
-        static TURNS: LazyLock<[(f64, f64); 256]> =
-            LazyLock::new(|| std::array::from_fn(|i| (f64::from(i as u8 as i8) * PI / STEPS).sin_cos()));
-        let (sin_elevation, cos_elevation) = TURNS[usize::from(self.elevation as u8)];
-        let (sin, cos) = TURNS[usize::from(self.azimuth as u8)];
-        Vec3::new(cos_elevation * cos, sin_elevation, cos_elevation * sin)
+        Turns::get().towards(self)
     }
 
     pub fn point(&self) -> Vec3 {
         glam::Vec3::from_array(self.place).as_dvec3()
+    }
+}
+
+/// Sine and cosine of every step.
+#[derive(Debug)]
+pub struct Turns([(f64, f64); 256]);
+
+impl Turns {
+    pub fn get() -> &'static Self {
+        static TURNS: LazyLock<Turns> = LazyLock::new(|| {
+            Turns(std::array::from_fn(|i| (f64::from(i as u8 as i8) * PI / STEPS).sin_cos()))
+        });
+        &TURNS
+    }
+
+    /// The direction that a photon came from.
+    #[inline]
+    pub fn towards(&self, photon: &PackedPhoton) -> Vec3 {
+        let (sin_elevation, cos_elevation) = self.0[usize::from(photon.elevation as u8)];
+        let (sin, cos) = self.0[usize::from(photon.azimuth as u8)];
+        Vec3::new(cos_elevation * cos, sin_elevation, cos_elevation * sin)
     }
 }
 

@@ -8,8 +8,9 @@ use super::super::media::Stretch;
 use super::super::shade::Site;
 use super::super::tracer::Tracer;
 use super::map::Metric;
-use super::{Nearby, Photons};
+use super::{Nearby, Neighbourhoods, Photons};
 use crate::color::Rgb;
+use crate::light::Turns;
 use crate::math::Vec3;
 use crate::world::RayClass;
 use std::f64::consts::PI;
@@ -71,10 +72,12 @@ impl Tracer<'_> {
         if nearby.members.len() >= s.gather_min as usize {
             return nearby;
         }
-        if is_crowded(&photons, &nearby, &Metric::new(point, Some(normal))) {
+        let mut wider = self.spare_nearby.pop().unwrap_or_default();
+        let metric = Metric::new(point, Some(normal));
+        if is_crowded(&photons, &nearby, &metric, &mut wider, late) {
+            self.spare_nearby.push(wider);
             return nearby;
         }
-        let mut wider = self.spare_nearby.pop().unwrap_or_default();
         let (late, radius) = (&mut self.photons_of_late, WIDER * photons.surface_radius);
         photons.surface.gather_near(point, radius, most, Some(normal), &mut wider, late);
         let before = density(&nearby);
@@ -114,12 +117,19 @@ fn density(found: &Nearby) -> f64 {
 
 /// Whether so many photons lie farther around that the second search is in vain, whichever of them are the nearest:
 /// it would be full, and its photons too dense.
-fn is_crowded(photons: &Photons, found: &Nearby, metric: &Metric) -> bool {
+fn is_crowded(
+    photons: &Photons,
+    found: &Nearby,
+    metric: &Metric,
+    spare: &mut Nearby,
+    late: &Neighbourhoods,
+) -> bool {
     let s = &photons.settings;
     let most = s.gather_max as usize;
     let dense = (most as f64 / ((1.0 + s.expand_increase) * density(found))).sqrt();
     let radius = dense.min(WIDER * photons.surface_radius);
-    s.gather_max >= s.expand_min && photons.surface.has(most + most / CLEARLY, metric, radius)
+    s.gather_max >= s.expand_min
+        && photons.surface.has_near(most + most / CLEARLY, metric, radius, spare, late)
 }
 
 /// Direction and light of each photon that reaches the layer, and whether it does so from behind.
@@ -129,9 +139,10 @@ fn lights<'a>(
     site: &'a Site,
     look: &'a Look,
 ) -> impl Iterator<Item = (Vec3, Rgb, bool)> + 'a {
-    nearby.members.iter().filter_map(|&(_, place)| {
+    let turns = Turns::get();
+    nearby.members.iter().filter_map(move |&(_, place)| {
         let photon = &photons.surface.photons()[place as usize];
-        let towards = photon.towards();
+        let towards = turns.towards(photon);
         let behind = look.is_lit_from_behind(towards, site.hit.double_illuminate)?;
         let cosine = site.facing.dot(towards).clamp(LEAST_COSINE, 1.0);
         Some((towards, photon.energy() / cosine as f32, behind))

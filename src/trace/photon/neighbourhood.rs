@@ -54,6 +54,9 @@ const NEAR: f64 = 0.4;
 /// With more photons than this many searches find, a neighbourhood does not pay.
 const CROWDED: usize = 6;
 
+/// A search in a neighbourhood is given up where that through the tree passes by more photons.
+const MOST_PASSED_BY: usize = 4;
+
 /// What searches use again and again.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
@@ -128,11 +131,27 @@ impl PhotonMap {
         late.last = Some((point, found.radius));
     }
 
+    /// [`PhotonMap::has`], by the photons of a neighbourhood if there is one that is large enough.
+    pub(super) fn has_near(
+        &self,
+        count: usize,
+        metric: &Metric,
+        radius: f64,
+        found: &mut Nearby,
+        late: &Neighbourhoods,
+    ) -> bool {
+        let covers = |n: &&Neighbourhood| n.reach - (metric.point - n.center).length() >= radius;
+        let Some(around) = late.kept.iter().filter(covers).min_by_key(|n| n.count) else {
+            return self.has(count, metric, radius);
+        };
+        around.count >= count
+            && BallSearch { map: self, metric, around, square: radius * radius }.has(count, found)
+    }
+
     /// The photons around a point, where searches seem to go `expected` far; `None` if they are too many.
     fn neighbourhood(&self, center: Vec3, expected: f64, radius: f64, most: usize) -> Option<Neighbourhood> {
         let reach = if expected < radius { BALL * expected } else { SPARSE_BALL * radius };
-        let mut ranges = Vec::new();
-        self.near_ranges(0, center, reach * reach, &mut ranges);
+        let ranges = self.near_ranges(center, reach);
         let count = ranges.iter().map(Range::len).sum();
         let new = Neighbourhood { center, reach, radius: f64::INFINITY, most, ranges, count };
         (count <= CROWDED * most).then_some(new)
@@ -154,29 +173,37 @@ impl PhotonMap {
     }
 
     /// Ranges of photons that a ball may hold, those side by side as one.
-    fn near_ranges(&self, at: usize, center: Vec3, square: f64, ranges: &mut Vec<Range<u32>>) {
+    fn near_ranges(&self, center: Vec3, reach: f64) -> Vec<Range<u32>> {
+        let reach = reach + SINGLE * (center.abs().max_element() + reach);
+        let ball = (center.as_vec3(), (reach * reach * (1.0 + SINGLE)) as f32);
+        let mut ranges = Vec::with_capacity(16);
+        self.add_near(0, &ball, &mut ranges);
+        ranges
+    }
+
+    /// Those of a part; the ball is told by its centre and its squared radius.
+    fn add_near(&self, at: usize, ball: &(glam::Vec3, f32), ranges: &mut Vec<Range<u32>>) {
         let part = &self.parts[at];
-        let (nearest, farthest) = part.distances(center);
-        if nearest > square {
+        let (nearest, farthest) = part.distances(ball.0);
+        if nearest > ball.1 {
             return;
         }
-        let mut add = |first: u32, end: u32| match ranges.last_mut() {
-            Some(last) if last.end == first => last.end = end,
-            _ => ranges.push(first..end),
-        };
-        if part.upper == 0 || farthest <= square {
-            add(part.first, part.first + part.count);
+        if part.upper == 0 || farthest <= ball.1 {
+            add(ranges, part.first..part.first + part.count);
             return;
         }
         let middle = part.first + (part.count - 1) / 2;
-        self.near_ranges(at + 1, center, square, ranges);
-        if self.away(middle as usize, center).length_squared() <= square {
-            match ranges.last_mut() {
-                Some(last) if last.end == middle => last.end = middle + 1,
-                _ => ranges.push(middle..middle + 1),
-            }
-        }
-        self.near_ranges(part.upper as usize, center, square, ranges);
+        self.add_near(at + 1, ball, ranges);
+        add(ranges, middle..middle + 1);
+        self.add_near(part.upper as usize, ball, ranges);
+    }
+}
+
+/// Appends a range, or lengthens the last.
+fn add(ranges: &mut Vec<Range<u32>>, new: Range<u32>) {
+    match ranges.last_mut() {
+        Some(last) if last.end == new.start => last.end = new.end,
+        _ => ranges.push(new),
     }
 }
 
@@ -188,6 +215,8 @@ enum Answer {
     Short,
     /// Whether the search through the tree finds the same is not sure.
     Doubtful,
+    /// The search through the tree does not find this one.
+    PassedBy(u32),
 }
 
 /// One search.
@@ -202,21 +231,27 @@ struct BallSearch<'a> {
 impl BallSearch<'_> {
     /// `is_whole` if the search asked for goes no farther.
     fn run(&self, is_whole: bool, found: &mut Nearby) -> Answer {
-        let scale = BUCKETS as f32 / self.square as f32;
-        let counts = self.measure(scale, &mut found.scratch.squares);
+        self.measure(&mut found.scratch.squares);
+        let radius = found.radius;
+        for _ in 0..=MOST_PASSED_BY {
+            found.radius = radius;
+            let answer = self.choose(is_whole, found);
+            let Answer::PassedBy(place) = answer else { return answer };
+            if let Some(square) = self.square_of(place, &mut found.scratch.squares) {
+                *square = f32::INFINITY;
+            }
+        }
+        Answer::Doubtful
+    }
+
+    /// The nearest photons by what was measured.
+    fn choose(&self, is_whole: bool, found: &mut Nearby) -> Answer {
+        let counts = by_bucket(&found.scratch.squares, BUCKETS as f32 / self.square as f32);
         let most = self.around.most;
         let sure: u32 = counts[..BUCKETS - 1].iter().sum();
         let error = self.error();
         if sure as usize <= most {
-            if !is_whole {
-                return Answer::Short;
-            }
-            let rim = (self.square - error) as f32..(self.square + error) as f32;
-            let inner = self.collect(rim, found);
-            let Nearby { scratch, members, .. } = found;
-            members.extend(scratch.rim.iter().filter(|r| r.0 < self.square));
-            let fits = inner <= most && members.len() <= most;
-            return if fits { self.certain(members, self.square) } else { Answer::Doubtful };
+            return if is_whole { self.all(found) } else { Answer::Short };
         }
         let (mut last, mut rank) = (0, most as u32);
         while rank > counts[last] {
@@ -241,7 +276,38 @@ impl BallSearch<'_> {
         rim[..missing].sort_unstable_by_key(|r| r.1);
         members.extend_from_slice(&rim[..missing]);
         *radius = farthest.sqrt();
-        self.certain(members, farthest)
+        self.certain(farthest, is_whole, found)
+    }
+
+    /// All photons of a search that finds no more than wanted.
+    fn all(&self, found: &mut Nearby) -> Answer {
+        let (most, error) = (self.around.most, self.error());
+        let inner = self.collect((self.square - error) as f32..(self.square + error) as f32, found);
+        let Nearby { scratch, members, .. } = found;
+        members.extend(scratch.rim.iter().filter(|r| r.0 < self.square));
+        if inner > most || members.len() > most {
+            return Answer::Doubtful;
+        }
+        // A search that never fills up looks behind all planes that it touches, and only those.
+        members.retain(|&(_, place)| self.map.is_met(place as usize, self.metric.point, self.square));
+        Answer::Found
+    }
+
+    /// Whether so many photons are nearer than the squared distance.
+    fn has(&self, count: usize, found: &mut Nearby) -> bool {
+        self.measure(&mut found.scratch.squares);
+        let (error, squares) = (self.error(), &found.scratch.squares);
+        let nearer = |limit: f32| squares.iter().map(|&s| u32::from(s < limit)).sum::<u32>() as usize;
+        let (low, high) = ((self.square - error) as f32, (self.square + error) as f32);
+        if nearer(low) >= count {
+            return true;
+        }
+        if nearer(high) < count {
+            return false;
+        }
+        let all = self.around.ranges.iter().cloned().flatten();
+        let square = |place: u32| self.metric.square(self.map.away(place as usize, self.metric.point));
+        all.filter(|&place| square(place) < self.square).count() >= count
     }
 
     /// Bound on the error of squared distances in single precision.
@@ -252,8 +318,8 @@ impl BallSearch<'_> {
         (2.0 * slope * shift * (radius + shift) + SINGLE * slope * self.square) * 2.0
     }
 
-    /// Squared distances of all photons, and how many fall in each bucket; the last counter is for those beyond.
-    fn measure(&self, scale: f32, squares: &mut Vec<f32>) -> [u32; BUCKETS + 1] {
+    /// Squared distances of all photons.
+    fn measure(&self, squares: &mut Vec<f32>) {
         squares.resize(self.around.count, 0.0);
         let (p, n) = (self.metric.point.as_vec3(), self.metric.normal.as_vec3());
         let mut rest = &mut squares[..];
@@ -266,11 +332,6 @@ impl BallSearch<'_> {
                 *square = (x * x + y * y + z * z) * (1.0 + (n.x * x + n.y * y + n.z * z).abs());
             }
         }
-        let mut counts = [0; BUCKETS + 1];
-        for &square in squares.iter() {
-            counts[((square * scale) as i32 as usize).min(BUCKETS)] += 1;
-        }
-        counts
     }
 
     /// Takes photons nearer than the rim; those on the rim are measured and set aside. How many there were.
@@ -294,11 +355,66 @@ impl BallSearch<'_> {
         members.len()
     }
 
-    /// Whether the search through the tree, which ends at squared distance `limit`, passes none of these by.
-    fn certain(&self, members: &[(f64, u32)], limit: f64) -> Answer {
-        let is_met = |&(_, place): &(f64, u32)| self.map.is_met(place as usize, self.metric.point, limit);
-        if members.iter().all(is_met) { Answer::Found } else { Answer::Doubtful }
+    /// Whether the search through the tree, which ends at squared distance `limit`, passes one of these by.
+    fn certain(&self, limit: f64, is_whole: bool, found: &Nearby) -> Answer {
+        let is_met = |place: u32| self.map.is_met(place as usize, self.metric.point, limit);
+        for &(_, place) in found.members.iter().filter(|m| !is_met(m.1)) {
+            match self.is_passed_by(place, is_whole, &found.scratch.squares) {
+                Some(true) => return Answer::PassedBy(place),
+                Some(false) => {}
+                None => return Answer::Doubtful,
+            }
+        }
+        Answer::Found
     }
+
+    /// Whether the search through the tree finds enough photons on this side of a plane before it looks behind it,
+    /// where `place` is filed. `None` if that is not known.
+    fn is_passed_by(&self, place: u32, is_whole: bool, squares: &[f32]) -> Option<bool> {
+        let (map, most) = (self.map, self.around.most);
+        let (plane, away) = map.plane_before(place as usize, self.metric.point)?;
+        let square = away * away;
+        if is_whole && square >= self.square {
+            return Some(true);
+        }
+        let before = map.before_behind(plane, self.metric.point)?;
+        let error = self.error();
+        let (low, high) = ((square.min(self.square) - error) as f32, (square + error) as f32);
+        let (mut least, mut greatest) = (0, 0);
+        let places = self.around.ranges.iter().cloned().flatten();
+        for (i, &s) in places.zip(squares).filter(|(_, s)| **s <= high) {
+            if before.iter().any(|range| range.contains(&i)) {
+                greatest += 1;
+                least += usize::from(s < low && map.is_in_place(i as usize));
+            }
+        }
+        let all_known = square + error < self.square;
+        match () {
+            () if least >= most => Some(true),
+            () if all_known && greatest < most => Some(false),
+            () => None,
+        }
+    }
+
+    fn square_of<'s>(&self, place: u32, squares: &'s mut [f32]) -> Option<&'s mut f32> {
+        let mut passed = 0;
+        for range in &self.around.ranges {
+            if range.contains(&place) {
+                return squares.get_mut(passed + (place - range.start) as usize);
+            }
+            passed += range.len();
+        }
+        None
+    }
+}
+
+/// How many squared distances fall in each bucket; the last counter is for those beyond.
+fn by_bucket(squares: &[f32], scale: f32) -> [u32; BUCKETS + 1] {
+    let mut counts = [0; BUCKETS + 1];
+    for &square in squares {
+        counts[((square * scale) as i32 as usize).min(BUCKETS)] += 1;
+    }
+    counts
 }
 
 #[cfg(test)]

@@ -7,6 +7,8 @@
 //!
 //! Reference: H. W. Jensen, "Realistic Image Synthesis Using Photon Mapping", 2001, chapter 6.
 
+mod astray;
+
 use super::neighbourhood::Scratch;
 use super::order::ordered;
 use crate::light::PackedPhoton;
@@ -82,9 +84,6 @@ pub(super) const EVERYWHERE: f64 = 1e15;
 /// Parts of the largest squared distance, to find the farthest photons by.
 pub(super) const BUCKETS: usize = 64;
 
-/// Stands on the wrong side of several planes.
-const OFTEN: i32 = i32::MAX;
-
 /// More halvings than any tree has.
 const DEEPEST: usize = 32;
 
@@ -138,7 +137,7 @@ impl PhotonMap {
         let places = [0, 1, 2].map(|axis| photons.iter().map(|p| p.place[axis]).collect());
         let (mut parts, mut astray) = (Vec::new(), vec![0; photons.len()]);
         part(&photons, 0, &mut parts);
-        find_astray(&photons, &mut astray);
+        astray::find(&photons, &mut astray);
         let small = parts.iter_mut().filter(|p| p.upper == 0);
         let count = small.enumerate().map(|(i, p)| p.reach = i as u32).count();
         let reaches = (0..count).map(|_| Reach::default()).collect();
@@ -228,41 +227,6 @@ impl PhotonMap {
         [&self.places[0][range.clone()], &self.places[1][range.clone()], &self.places[2][range]]
     }
 
-    /// Whether a search from `point` that ends at squared distance `limit` is sure to come by photon `i`: one that
-    /// is filed on the far side of a plane though it stands on the near one is found only if the search goes as
-    /// far as the plane.
-    #[inline]
-    pub(super) fn is_met(&self, i: usize, point: Vec3, limit: f64) -> bool {
-        match self.astray[i] {
-            0 => true,
-            OFTEN => self.is_met_through_all(i, point, limit),
-            n => !self.is_hidden(i, i.wrapping_add_signed(n as isize), point, limit),
-        }
-    }
-
-    /// Whether photon `i` is filed behind the plane of another, at which the search ends.
-    #[inline]
-    fn is_hidden(&self, i: usize, plane: usize, point: Vec3, limit: f64) -> bool {
-        let axis = split_axis(&self.photons[plane]);
-        let along = f64::from(self.places[axis][plane]) - point[axis];
-        (along > 0.0) == (i > plane) && along * along >= limit
-    }
-
-    /// [`PhotonMap::is_met`] for any photon, by all planes above it.
-    fn is_met_through_all(&self, i: usize, point: Vec3, limit: f64) -> bool {
-        let (mut first, mut end) = (0, self.photons.len());
-        loop {
-            let middle = first + (end - first - 1) / 2;
-            if middle == i {
-                return true;
-            }
-            if self.is_hidden(i, middle, point, limit) {
-                return false;
-            }
-            (first, end) = if i < middle { (first, middle) } else { (middle + 1, end) };
-        }
-    }
-
     /// Whether there are more than `most` photons within the first radius; the second is the one asked for.
     pub(super) fn search(
         &self,
@@ -312,10 +276,10 @@ impl Part {
 
     /// Squared distances of the nearest and of the farthest point of the box from `p`.
     #[inline]
-    pub fn distances(&self, p: Vec3) -> (f64, f64) {
-        let (low, high) = (self.low.as_dvec3() - p, p - self.high.as_dvec3());
+    pub fn distances(&self, p: glam::Vec3) -> (f32, f32) {
+        let (low, high) = (self.low - p, p - self.high);
         let farthest = low.min(high);
-        (low.max(high).max(Vec3::ZERO).length_squared(), farthest.length_squared())
+        (low.max(high).max(glam::Vec3::ZERO).length_squared(), farthest.length_squared())
     }
 
     /// Squared distance of the box from `p`.
@@ -504,24 +468,6 @@ fn part(photons: &[PackedPhoton], first: usize, parts: &mut Vec<Part>) {
     parts[at].low = own.0.min(a.low).min(b.low);
     parts[at].high = own.1.max(a.high).max(b.high);
     parts[at].upper = upper as u32;
-}
-
-/// Marks photons that stand on the wrong side of a plane.
-fn find_astray(photons: &[PackedPhoton], astray: &mut [i32]) {
-    if photons.len() < 2 {
-        return;
-    }
-    let middle = (photons.len() - 1) / 2;
-    let axis = split_axis(&photons[middle]);
-    for (i, p) in photons.iter().enumerate() {
-        let (at, plane) = (p.place[axis], photons[middle].place[axis]);
-        if if i < middle { at > plane } else { at < plane } {
-            astray[i] = if astray[i] == 0 { middle as i32 - i as i32 } else { OFTEN };
-        }
-    }
-    let (low, high) = astray.split_at_mut(middle);
-    find_astray(&photons[..middle], low);
-    find_astray(&photons[middle + 1..], &mut high[1..]);
 }
 
 fn split_axis(photon: &PackedPhoton) -> usize {
