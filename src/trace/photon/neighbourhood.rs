@@ -7,6 +7,7 @@
 
 use super::map::{BUCKETS, Metric, Nearby, PhotonMap, SINGLE};
 use crate::math::Vec3;
+use glam::Vec4;
 use std::ops::Range;
 
 /// The photons in a ball.
@@ -327,10 +328,16 @@ impl BallSearch<'_> {
             let (now, later) = rest.split_at_mut(range.len());
             rest = later;
             let [x, y, z] = self.map.places_of(range);
+            let fours = [x, y, z].map(|c| c.as_chunks::<4>());
+            let (now, ends) = now.as_chunks_mut::<4>();
+            let [x, y, z] = fours.map(|f| f.0.iter().map(|c| Vec4::from_array(*c)));
             for (((square, x), y), z) in now.iter_mut().zip(x).zip(y).zip(z) {
-                let (x, y, z) = (x - p.x, y - p.y, z - p.z);
-                *square = (x * x + y * y + z * z) * (1.0 + (n.x * x + n.y * y + n.z * z).abs());
+                *square = measured([x - p.x, y - p.y, z - p.z], n).to_array();
             }
+            let [x, y, z] =
+                fours.map(|f| Vec4::from_array(std::array::from_fn(|i| *f.1.get(i).unwrap_or(&0.0))));
+            let last = measured([x - p.x, y - p.y, z - p.z], n).to_array();
+            ends.iter_mut().zip(last).for_each(|(square, last)| *square = last);
         }
     }
 
@@ -408,13 +415,23 @@ impl BallSearch<'_> {
     }
 }
 
+/// Squared distances as [`Metric::square`] has them, four at once.
+#[inline(always)]
+fn measured([x, y, z]: [Vec4; 3], n: glam::Vec3) -> Vec4 {
+    (x * x + y * y + z * z) * (Vec4::ONE + (n.x * x + n.y * y + n.z * z).abs())
+}
+
 /// How many squared distances fall in each bucket; the last counter is for those beyond.
 fn by_bucket(squares: &[f32], scale: f32) -> [u32; BUCKETS + 1] {
-    let mut counts = [0; BUCKETS + 1];
+    // A number so large that it has no fraction: what is added to it is rounded, and stands in its last bits.
+    const WHOLE: f32 = 12_582_912.0;
+    let mut counts = [0; 2 * BUCKETS];
     for &square in squares {
-        counts[((square * scale) as i32 as usize).min(BUCKETS)] += 1;
+        let place = square * scale;
+        let place = if place < BUCKETS as f32 { place } else { BUCKETS as f32 };
+        counts[(WHOLE + (place - 0.5)).to_bits() as usize % (2 * BUCKETS)] += 1;
     }
-    counts
+    std::array::from_fn(|i| counts[i])
 }
 
 #[cfg(test)]
