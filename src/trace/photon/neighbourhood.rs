@@ -7,7 +7,6 @@
 
 use super::map::{BUCKETS, Metric, Nearby, PhotonMap, SINGLE};
 use crate::math::Vec3;
-use glam::Vec4;
 use std::ops::Range;
 
 /// The photons in a ball.
@@ -20,9 +19,10 @@ struct Neighbourhood {
     radius: f64,
     /// Searches are for so many photons.
     most: usize,
-    /// Parts of the tree that hold all photons of the ball.
-    ranges: Vec<Range<u32>>,
-    count: usize,
+    /// Places in the map of all photons of the ball, and of some beside it, in order.
+    members: Vec<u32>,
+    /// Their coordinates, by axis.
+    coordinates: [Vec<f32>; 3],
 }
 
 /// Neighbourhoods of late; forgotten at the beginning of every block, as they decide in which order light is added.
@@ -39,7 +39,7 @@ pub struct Neighbourhoods {
 const KEPT: usize = 12;
 
 /// A ball's radius, in radii of the search in its middle, and in radii asked for where that found few.
-const BALL: f64 = 1.5;
+const BALL: f64 = 1.4;
 const SPARSE_BALL: f64 = 1.25;
 
 /// Searches go at most so much farther than the one in the middle, or nearly.
@@ -49,11 +49,8 @@ const GROWTH: f64 = 1.03;
 /// the rim is found as the reference finds it.
 const GUESS: f64 = 1.15;
 
-/// Searches this near to each other, in radii, are followed by others.
-const NEAR: f64 = 0.4;
-
 /// With more photons than this many searches find, a neighbourhood does not pay.
-const CROWDED: usize = 6;
+const CROWDED: usize = 14;
 
 /// A search in a neighbourhood is given up where that through the tree passes by more photons.
 const MOST_PASSED_BY: usize = 4;
@@ -79,7 +76,7 @@ impl Neighbourhoods {
             let complete = n.reach - (point - n.center).length();
             (n.most == most && complete >= radius.min(GROWTH * n.radius)).then_some((n, complete))
         });
-        reaching.min_by_key(|(n, _)| n.count)
+        reaching.min_by_key(|(n, _)| n.members.len())
     }
 
     fn keep(&mut self, new: Neighbourhood) {
@@ -115,8 +112,12 @@ impl PhotonMap {
             return;
         }
         let near = late.last.map(|(p, r)| (r, (p - point).length())).filter(|(r, away)| away < r);
-        if known == Answer::Short && near.is_some_and(|(r, away)| away < NEAR * r) {
-            let new = self.neighbourhood(point, near.map_or(radius, |n| n.0), radius, most);
+        if known == Answer::Short {
+            let expected = match near {
+                Some((r, _)) => r,
+                None => self.likely_reach(point, most, found),
+            };
+            let new = self.neighbourhood(point, expected.min(radius), radius, most);
             let answer = new.as_ref().map(|new| self.gather_in(new, new.reach, &metric, radius, found));
             if let Some(mut new) = new
                 && answer == Some(Answer::Found)
@@ -142,10 +143,10 @@ impl PhotonMap {
         late: &Neighbourhoods,
     ) -> bool {
         let covers = |n: &&Neighbourhood| n.reach - (metric.point - n.center).length() >= radius;
-        let Some(around) = late.kept.iter().filter(covers).min_by_key(|n| n.count) else {
+        let Some(around) = late.kept.iter().filter(covers).min_by_key(|n| n.members.len()) else {
             return self.has(count, metric, radius);
         };
-        around.count >= count
+        around.members.len() >= count
             && BallSearch { map: self, metric, around, square: radius * radius }.has(count, found)
     }
 
@@ -153,9 +154,18 @@ impl PhotonMap {
     fn neighbourhood(&self, center: Vec3, expected: f64, radius: f64, most: usize) -> Option<Neighbourhood> {
         let reach = if expected < radius { BALL * expected } else { SPARSE_BALL * radius };
         let ranges = self.near_ranges(center, reach);
-        let count = ranges.iter().map(Range::len).sum();
-        let new = Neighbourhood { center, reach, radius: f64::INFINITY, most, ranges, count };
-        (count <= CROWDED * most).then_some(new)
+        let count: usize = ranges.iter().map(Range::len).sum();
+        if count > CROWDED * most {
+            return None;
+        }
+        let mut coordinates = [(); 3].map(|()| Vec::with_capacity(count));
+        for range in &ranges {
+            for (all, part) in coordinates.iter_mut().zip(self.places_of(range)) {
+                all.extend_from_slice(part);
+            }
+        }
+        let members = ranges.into_iter().flatten().collect();
+        Some(Neighbourhood { center, reach, radius: f64::INFINITY, most, members, coordinates })
     }
 
     /// The search in a neighbourhood, which is complete as far as `complete`.
@@ -225,7 +235,7 @@ struct BallSearch<'a> {
     map: &'a PhotonMap,
     metric: &'a Metric,
     around: &'a Neighbourhood,
-    /// All photons less than this squared distance away are in the ranges.
+    /// All photons less than this squared distance away are members.
     square: f64,
 }
 
@@ -306,9 +316,8 @@ impl BallSearch<'_> {
         if nearer(high) < count {
             return false;
         }
-        let all = self.around.ranges.iter().cloned().flatten();
-        let square = |place: u32| self.metric.square(self.map.away(place as usize, self.metric.point));
-        all.filter(|&place| square(place) < self.square).count() >= count
+        let square = |&&place: &&u32| self.metric.square(self.map.away(place as usize, self.metric.point));
+        self.around.members.iter().filter(|place| square(place) < self.square).count() >= count
     }
 
     /// Bound on the error of squared distances in single precision.
@@ -321,24 +330,13 @@ impl BallSearch<'_> {
 
     /// Squared distances of all photons.
     fn measure(&self, squares: &mut Vec<f32>) {
-        squares.resize(self.around.count, 0.0);
         let (p, n) = (self.metric.point.as_vec3(), self.metric.normal.as_vec3());
-        let mut rest = &mut squares[..];
-        for range in &self.around.ranges {
-            let (now, later) = rest.split_at_mut(range.len());
-            rest = later;
-            let [x, y, z] = self.map.places_of(range);
-            let fours = [x, y, z].map(|c| c.as_chunks::<4>());
-            let (now, ends) = now.as_chunks_mut::<4>();
-            let [x, y, z] = fours.map(|f| f.0.iter().map(|c| Vec4::from_array(*c)));
-            for (((square, x), y), z) in now.iter_mut().zip(x).zip(y).zip(z) {
-                *square = measured([x - p.x, y - p.y, z - p.z], n).to_array();
-            }
-            let [x, y, z] =
-                fours.map(|f| Vec4::from_array(std::array::from_fn(|i| *f.1.get(i).unwrap_or(&0.0))));
-            let last = measured([x - p.x, y - p.y, z - p.z], n).to_array();
-            ends.iter_mut().zip(last).for_each(|(square, last)| *square = last);
-        }
+        let [x, y, z] = &self.around.coordinates;
+        squares.clear();
+        squares.extend(x.iter().zip(y).zip(z).map(|((x, y), z)| {
+            let (x, y, z) = (x - p.x, y - p.y, z - p.z);
+            (x * x + y * y + z * z) * (1.0 + (n.x * x + n.y * y + n.z * z).abs())
+        }));
     }
 
     /// Takes photons nearer than the rim; those on the rim are measured and set aside. How many there were.
@@ -346,17 +344,12 @@ impl BallSearch<'_> {
         let Nearby { scratch, members, .. } = found;
         members.clear();
         scratch.rim.clear();
-        let mut rest = &scratch.squares[..];
-        for range in &self.around.ranges {
-            let (now, later) = rest.split_at(range.len());
-            rest = later;
-            for (place, &square) in range.clone().zip(now) {
-                if square < rim.start {
-                    members.push((f64::from(square), place));
-                } else if square <= rim.end {
-                    let away = self.map.away(place as usize, self.metric.point);
-                    scratch.rim.push((self.metric.square(away), place));
-                }
+        for (&place, &square) in self.around.members.iter().zip(&scratch.squares) {
+            if square < rim.start {
+                members.push((f64::from(square), place));
+            } else if square <= rim.end {
+                let away = self.map.away(place as usize, self.metric.point);
+                scratch.rim.push((self.metric.square(away), place));
             }
         }
         members.len()
@@ -388,8 +381,7 @@ impl BallSearch<'_> {
         let error = self.error();
         let (low, high) = ((square.min(self.square) - error) as f32, (square + error) as f32);
         let (mut least, mut greatest) = (0, 0);
-        let places = self.around.ranges.iter().cloned().flatten();
-        for (i, &s) in places.zip(squares).filter(|(_, s)| **s <= high) {
+        for (&i, &s) in self.around.members.iter().zip(squares).filter(|(_, s)| **s <= high) {
             if before.iter().any(|range| range.contains(&i)) {
                 greatest += 1;
                 least += usize::from(s < low && map.is_in_place(i as usize));
@@ -404,21 +396,8 @@ impl BallSearch<'_> {
     }
 
     fn square_of<'s>(&self, place: u32, squares: &'s mut [f32]) -> Option<&'s mut f32> {
-        let mut passed = 0;
-        for range in &self.around.ranges {
-            if range.contains(&place) {
-                return squares.get_mut(passed + (place - range.start) as usize);
-            }
-            passed += range.len();
-        }
-        None
+        squares.get_mut(self.around.members.binary_search(&place).ok()?)
     }
-}
-
-/// Squared distances as [`Metric::square`] has them, four at once.
-#[inline(always)]
-fn measured([x, y, z]: [Vec4; 3], n: glam::Vec3) -> Vec4 {
-    (x * x + y * y + z * z) * (Vec4::ONE + (n.x * x + n.y * y + n.z * z).abs())
 }
 
 /// How many squared distances fall in each bucket; the last counter is for those beyond.

@@ -182,7 +182,7 @@ impl PhotonMap {
             return;
         }
         let (reach, away) = self.reach_near(metric.point, most, found);
-        for hint in [MARGIN * reach + PART_OF_WAY * away, reach + away] {
+        for hint in [likely(reach, away), reach + away] {
             if within(hint, found) {
                 return;
             }
@@ -190,6 +190,12 @@ impl PhotonMap {
         found.members.clear();
         found.radius = radius;
         self.search(metric, (radius, radius), most, found);
+    }
+
+    /// How far a search that is not limited mostly goes.
+    pub(super) fn likely_reach(&self, point: Vec3, most: usize, found: &mut Nearby) -> f64 {
+        let (reach, away) = self.reach_near(point, most, found);
+        likely(reach, away)
     }
 
     /// How far a search from the middle of the part around `point` goes, and how far away the middle is. Their sum
@@ -431,6 +437,11 @@ impl Search<'_> {
         let error = SINGLE * (self.metric.point.abs().max_element() + radius);
         self.reach = ((radius + error).powi(2) * (1.0 + SINGLE)) as f32;
     }
+}
+
+/// How far a search mostly goes, by one from a place nearby.
+fn likely(reach: f64, away: f64) -> f64 {
+    MARGIN * reach + PART_OF_WAY * away
 }
 
 /// More than rounding to single precision changes a distance by, as a share of the numbers that go into it.
