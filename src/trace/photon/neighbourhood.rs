@@ -39,7 +39,7 @@ pub struct Neighbourhoods {
 const KEPT: usize = 12;
 
 /// A ball's radius, in radii of the search in its middle, and in radii asked for where that found few.
-const BALL: f64 = 1.4;
+const BALL: f64 = 1.25;
 const SPARSE_BALL: f64 = 1.25;
 
 /// Searches go at most so much farther than the one in the middle, or nearly.
@@ -50,7 +50,7 @@ const GROWTH: f64 = 1.03;
 const GUESS: f64 = 1.15;
 
 /// With more photons than this many searches find, a neighbourhood does not pay.
-const CROWDED: usize = 14;
+const CROWDED: usize = 10;
 
 /// A search in a neighbourhood is given up where that through the tree passes by more photons.
 const MOST_PASSED_BY: usize = 4;
