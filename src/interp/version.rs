@@ -4,6 +4,8 @@
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Version {
     declared: Option<u32>,
+    /// Whether the text did it, and not an option.
+    by_text: bool,
 }
 
 /// What a scene that declares nothing is read as.
@@ -13,11 +15,12 @@ const EFFECTIVE: u32 = 362;
 
 impl Version {
     pub fn new(declared: Option<u32>) -> Self {
-        Self { declared }
+        Self { declared, by_text: false }
     }
 
     pub fn set(&mut self, version: u32) {
         self.declared = Some(version);
+        self.by_text = true;
     }
 
     pub fn is_declared(&self) -> bool {
@@ -26,6 +29,11 @@ impl Version {
 
     pub fn syntax(&self) -> u32 {
         self.declared.unwrap_or(SYNTAX)
+    }
+
+    /// As measured: an option's version does not say how images are read.
+    pub fn for_images(&self) -> u32 {
+        if self.by_text { self.effective() } else { EFFECTIVE }
     }
 
     pub fn effective(&self) -> u32 {

@@ -88,7 +88,11 @@ impl Parser {
         };
         let (written, premultiplied) = self.image_coding()?;
         let working = self.scene.gamma_given.then_some(self.scene.scene.globals.gamma);
-        let reading = Reading { raw, version: self.effective_version(), working, written, premultiplied };
+        let version = match working {
+            Some(_) => self.effective_version(),
+            None => self.version.for_images(),
+        };
+        let reading = Reading { raw, version, working, written, premultiplied };
         self.image_file(&name, format, kind, reading, span)
     }
 
