@@ -153,7 +153,18 @@ impl ImageMap {
         if self.use_index && !self.palette.is_empty() {
             return f64::from(self.index_at(u, v));
         }
-        f64::from(grey(self.color_at(u, v).rgb))
+        self.grey_at(u, v)
+    }
+
+    /// As measured: of the colours as they are stored, multiplied by alpha or not.
+    pub(super) fn grey_at(&self, u: f64, v: f64) -> f64 {
+        let mut sum = 0.0;
+        self.blend(u, v, |i, j, weight| {
+            let color = self.texel(i, j);
+            let alpha = if self.image.dim { 1.0 - (color.transmit - self.transmit) } else { 1.0 };
+            sum += f64::from(grey(color.rgb) * alpha) * weight;
+        });
+        sum
     }
 
     /// The palette index, interpolated and cut to a whole number; without a palette, red as a byte.

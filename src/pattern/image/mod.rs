@@ -20,6 +20,8 @@ pub struct Image {
     texels: Texels,
     /// Whether colours are stored multiplied by alpha.
     pub premultiplied: bool,
+    /// Whether grey values are multiplied by alpha though colours are not.
+    dim: bool,
 }
 
 #[derive(Debug)]
@@ -62,7 +64,7 @@ impl Image {
     pub fn new(decoded: Decoded, reading: &Reading) -> Self {
         let transfer = reading.transfer(decoded.profile);
         let (width, height) = (decoded.width, decoded.height);
-        let mut premultiplied = false;
+        let (mut premultiplied, mut dim) = (false, false);
         let texels = match decoded.samples {
             Samples::Palette { indices, palette, alpha } => {
                 let level = |v: u16| transfer.value(f64::from(v) / 65535.0);
@@ -83,14 +85,14 @@ impl Image {
                 let alpha = |v: u16| f32::from(v) / f32::from(max);
                 Texels::Floats(data.chunks_exact(channels).map(|c| texel(c, level, alpha)).collect())
             }
-            Samples::Floats { channels, data, premultiplied: multiplied } => {
-                premultiplied = multiplied;
+            Samples::Floats { channels, data, premultiplied: multiplied, dim: is_dim } => {
+                (premultiplied, dim) = (multiplied, is_dim);
                 let level = |v: f32| transfer.value(f64::from(v));
                 Texels::Floats(data.chunks_exact(channels).map(|c| texel(c, level, |a| a)).collect())
             }
         };
         let premultiplied = reading.premultiplied.unwrap_or(premultiplied);
-        Self { width, height, texels, premultiplied }
+        Self { width, height, texels, premultiplied, dim }
     }
 
     /// The texel in a column and a row, row 0 at the top; both must lie inside.

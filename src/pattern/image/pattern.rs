@@ -1,5 +1,4 @@
 use super::ImageMap;
-use crate::color::grey;
 use crate::math::Vec3;
 use crate::pattern::{Character, Pattern, Setting};
 
@@ -19,11 +18,14 @@ pub enum ImageValue {
 
 impl Pattern for ImagePattern {
     fn value(&self, p: Vec3, _setting: &Setting) -> f64 {
-        let Some(color) = self.map.color(p) else { return 0.0 };
+        let Some((u, v)) = self.map.coordinates(p) else { return 0.0 };
+        if self.value == ImageValue::Grey {
+            return self.map.grey_at(u, v).clamp(0.0, 1.0);
+        }
+        let color = self.map.color_at(u, v);
         let value = match self.value {
-            ImageValue::Grey => grey(color.rgb),
             ImageValue::Alpha if self.map.image.has_alpha() => color.transmit,
-            ImageValue::Alpha => color.rgb.x,
+            _ => color.rgb.x,
         };
         f64::from(value).clamp(0.0, 1.0)
     }

@@ -28,6 +28,6 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Decoded, String> {
         data.extend(colors.iter().map(|c| c.sample_data.value_by_flat_index(i).to_f32()));
         data.push(alpha.map_or(1.0, |a| a.sample_data.value_by_flat_index(i).to_f32()));
     }
-    let samples = Samples::Floats { channels: 4, data, premultiplied: alpha.is_some() };
+    let samples = Samples::Floats { channels: 4, data, premultiplied: alpha.is_some(), dim: false };
     Ok(Decoded { width, height, samples, profile: Profile::Light })
 }

@@ -16,7 +16,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
         scan_line(&mut input, &mut row)?;
         data.extend(row.iter().flat_map(|&c| light(c)));
     }
-    let samples = Samples::Floats { channels: 3, data, premultiplied: false };
+    let samples = Samples::Floats { channels: 3, data, premultiplied: false, dim: false };
     Ok(Decoded { width, height, samples, profile: Profile::Light })
 }
 

@@ -46,6 +46,8 @@ pub enum Samples {
         channels: usize,
         data: Vec<f32>,
         premultiplied: bool,
+        /// Whether grey values are those of the multiplied colours all the same.
+        dim: bool,
     },
 }
 

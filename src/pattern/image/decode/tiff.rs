@@ -32,6 +32,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
             channels,
             data: data.chunks_exact(4).flat_map(separated).collect(),
             premultiplied: false,
+            dim: true,
         },
         _ => {
             let data = data.chunks_exact(channels).flat_map(|c| c.iter().copied().chain([255])).collect();
