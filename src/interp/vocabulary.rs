@@ -91,10 +91,10 @@ pub(super) const MEDIA: Items = Items {
 
 pub(super) const LIGHT: Items = Items {
     noun: "a light source item",
-    words: "adaptive alpha area_illumination area_light blue circular cylinder fade_distance fade_power falloff \
-            filter green jitter looks_like matrix media_attenuation media_interaction orient parallel photons \
-            point_at projected_through radius red rotate scale shadowless spotlight tightness transform \
-            translate transmit",
+    words: "adaptive alpha area_illumination area_light blue circular color_map colour_map cylinder \
+            fade_distance fade_power falloff filter green jitter looks_like matrix media_attenuation \
+            media_interaction orient parallel photons point_at projected_through radius red rotate scale \
+            shadowless spotlight tightness transform translate transmit",
 };
 
 pub(super) const OBJECT: Items = Items {
