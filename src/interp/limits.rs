@@ -76,9 +76,9 @@ impl Limits {
             "tokens" => self.kept_tokens = value as usize,
             "passes" => self.passes = value as u64,
             "elements" => self.array_elements = value as usize,
-            "written" => self.written = value as u64 * MEGABYTE,
+            "written" => self.written = (value as u64).saturating_mul(MEGABYTE),
             "seconds" => self.seconds = value,
-            "memory" => self.memory = Some(value as u64 * MEGABYTE),
+            "memory" => self.memory = Some((value as u64).saturating_mul(MEGABYTE)),
             _ => return false,
         }
         true

@@ -115,6 +115,9 @@ impl Parser {
 
     /// The error for a folder, a device or a pipe by this name.
     pub(super) fn refuse_special(&self, name: &str, span: Span) -> Result<()> {
+        if name.is_empty() {
+            return Ok(());
+        }
         let folders = self.library_folders().into_iter().chain(self.neighbour_folders());
         let Some(path) = folders.map(|folder| folder.join(name)).find(|path| path.exists()) else {
             return Ok(());

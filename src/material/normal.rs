@@ -196,6 +196,6 @@ impl Normal {
             (_, None) => (0, 0.0),
         };
         self.depth = 1 + depth.max(self.signal.pattern.depth());
-        self.cost = 1.0 + cost;
+        self.cost = 1.0 + self.signal.pattern.cost() + cost;
     }
 }

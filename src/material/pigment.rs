@@ -98,10 +98,11 @@ impl Pigment {
             (patterned && self.map.is_none()).then(|| BlendMap::new(self.signal.pattern.colors()));
         let opaque_map = |map: &ColorMap| map.items().all(|c| !c.is_transparent());
         self.depth = 1 + self.children().map(|p| p.depth).fold(self.signal.pattern.depth(), u32::max);
-        self.cost = match (&self.kind, &self.map) {
-            (PigmentKind::Patterned, Some(PigmentMap::Pigments(map))) => 1.0 + map.cost(|p| p.cost),
-            _ => 1.0 + self.children().map(|p| p.cost).sum::<f64>(),
+        let below = match (&self.kind, &self.map) {
+            (PigmentKind::Patterned, Some(PigmentMap::Pigments(map))) => map.cost(|p| p.cost),
+            _ => self.children().map(|p| p.cost).sum::<f64>(),
         };
+        self.cost = 1.0 + self.signal.pattern.cost() + below;
         let asks = match self.kind {
             PigmentKind::Patterned => self.signal.pattern.asks_hit(),
             _ => matches!(self.kind, PigmentKind::Uv(_)),
@@ -286,6 +287,14 @@ impl Pattern for GreyPigment {
     #[inline]
     fn asks_hit(&self) -> bool {
         self.0.asks_hit()
+    }
+
+    fn depth(&self) -> u32 {
+        1 + self.0.depth()
+    }
+
+    fn cost(&self) -> f64 {
+        self.0.cost()
     }
 
     fn value(&self, p: Vec3, setting: &Setting) -> f64 {

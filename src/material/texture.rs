@@ -199,14 +199,15 @@ impl PatternedTexture {
     pub fn new(kind: PatternedKind, signal: Signal, map: BlendMap<Texture>) -> Self {
         let opaque = map.items().all(Texture::is_opaque);
         let depth = 1 + map.items().map(Texture::depth).fold(signal.pattern.depth(), u32::max);
-        let cost = match kind {
+        let below = match kind {
             PatternedKind::Blended => map.cost(Texture::cost),
             PatternedKind::Average => map.items().map(Texture::cost).sum(),
             PatternedKind::Material(_) | PatternedKind::Uv => {
                 map.items().map(Texture::cost).fold(0.0, f64::max)
             }
         };
-        Self { kind, signal, map, scale_bumps: true, opaque, depth, cost: 1.0 + cost }
+        let cost = 1.0 + signal.pattern.cost() + below;
+        Self { kind, signal, map, scale_bumps: true, opaque, depth, cost }
     }
 
     fn frame(&self, scale_bumps: bool) -> Frame<'_> {

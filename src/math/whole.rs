@@ -5,7 +5,7 @@ use super::Vec3;
 
 /// Doubles around this number are whole: adding and subtracting it rounds to the nearest one.
 const ROUND: f64 = 6_755_399_441_055_744.0;
-/// Doubles of at least this size are whole, and beyond it the rounding above no longer goes.
+/// Up to this size the rounding above is that to the nearest whole number.
 const LARGE: f64 = 1_125_899_906_842_624.0;
 
 /// The largest whole number that is at most `v`; what is no number stays none.

@@ -205,6 +205,11 @@ pub trait Pattern: Debug + Send + Sync {
         0
     }
 
+    /// How many pigments are asked for one value at most.
+    fn cost(&self) -> f64 {
+        0.0
+    }
+
     /// By how much the value mostly differs (root of the mean square) between places a little apart, per
     /// distance; `None` if that is not known.
     fn steepness(&self) -> Option<f64> {

@@ -37,6 +37,7 @@ pub fn of(words: &[OsString]) -> Result<Syntax, Failure> {
     let sorted = Sorted::of(&rest, false);
     if let Some(word) = rest.first()
         && rest.len() > 1
+        && sorted.povray.is_empty()
         && let Some(command) = mistyped(word)
     {
         return Err(Failure::usage(format!(
