@@ -177,3 +177,16 @@ fn used_memory() -> Option<u64> {
     let table = std::fs::read_to_string("/proc/self/statm").ok()?;
     Some(table.split(' ').nth(1)?.parse::<u64>().ok()? * PAGE)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn megabytes_do_not_overflow() {
+        let mut limits = Limits::default();
+        assert!(limits.set("written", 17_592_186_044_416.0) && limits.set("memory", 1e15));
+        assert_eq!((limits.written, limits.memory), (u64::MAX, Some(u64::MAX)));
+        assert!(!limits.set("written", 1e16) && !limits.set("write", 1.0));
+    }
+}
