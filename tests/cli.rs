@@ -382,6 +382,25 @@ fn what_is_not_rendered_yet_is_said_once() {
     assert_eq!(code(&folder.glint(&["check", "wrong.pov"])), Some(1));
 }
 
+/// Names in capitals find the files that are carried along, with the warning that installed ones get.
+#[test]
+fn carried_files_are_found_in_capitals() {
+    let folder = Folder::new("capitals");
+    for name in ["COLORS.INC", "Colors", "cOLORS.Inc"] {
+        folder.write("s.pov", &format!("#version 3.7; #include \"{name}\" #declare C = Red;"));
+        let done = folder.glint(&["check", "--includes", "embedded", "s.pov"]);
+        assert_eq!(code(&done), Some(0), "{}", stderr(&done));
+        let said =
+            format!("`{name}` is taken to be <embedded>/colors.inc: capitals and small letters differ");
+        assert!(stderr(&done).contains(&said), "{}", stderr(&done));
+        let done = folder.glint(&["check", "--strict=reference", "--includes", "embedded", "s.pov"]);
+        assert_eq!(code(&done), Some(1), "{name}");
+    }
+    folder.write("s.pov", "#version 3.7; #include \"colors.inc\" #declare C = Red;");
+    let done = folder.glint(&["check", "--strict=reference", "--includes", "embedded", "s.pov"]);
+    assert_eq!(code(&done), Some(0), "{}", stderr(&done));
+}
+
 /// The name of a file that is carried along, or that lies where it was looked for.
 #[test]
 fn misspelt_file_names_are_answered() {

@@ -20,6 +20,9 @@ pub(super) enum Number {
 
 use Number::{Scalar, Tuple};
 
+/// The version, times 100, from which on `1 -1` is one number.
+const FIRST_TO_JOIN: u32 = 150;
+
 /// Weights of red, green and blue in a grey value.
 const GREY: [f64; 3] = [0.297, 0.589, 0.114];
 
@@ -106,7 +109,7 @@ impl Parser {
             return Ok(v);
         }
         let start = self.peek_operand()?.span;
-        let value = self.additive()?;
+        let value = self.sum()?;
         self.scalar(value, start)
     }
 
@@ -127,21 +130,21 @@ impl Parser {
     /// A 3-vector; a number is replicated, 2 components are padded with 0.
     pub fn vector(&mut self) -> Result<Vec3> {
         let start = self.peek_operand()?.span;
-        let value = self.additive()?;
+        let value = self.sum()?;
         let v = self.tuple(value, 3, start)?;
         Ok(Vec3::new(v[0], v[1], v[2]))
     }
 
     pub fn vector2(&mut self) -> Result<Vec2> {
         let start = self.peek_operand()?.span;
-        let value = self.additive()?;
+        let value = self.sum()?;
         let v = self.tuple(value, 2, start)?;
         Ok(Vec2::new(v[0], v[1]))
     }
 
     pub fn vector4(&mut self) -> Result<[f64; 4]> {
         let start = self.peek_operand()?.span;
-        let value = self.additive()?;
+        let value = self.sum()?;
         let v = self.tuple(value, 4, start)?;
         Ok([v[0], v[1], v[2], v[3]])
     }
@@ -181,7 +184,10 @@ impl Parser {
         if self.at_color_word()? {
             return Ok(Value::Color(self.color()?));
         }
-        Ok(self.additive()?.into_value())
+        // A colour was never a list's item: its sums need no parentheses.
+        let is_color = matches!(self.peek_value()?, Some(Value::Color(_)));
+        let value = if is_color { self.additive()? } else { self.sum()? };
+        Ok(value.into_value())
     }
 
     /// The loosest level: `c ? a : b`.
@@ -239,8 +245,21 @@ impl Parser {
         Ok(Scalar(number(comparison.holds(order))))
     }
 
-    /// `+` and `-`: the level of every argument in the language.
-    pub(super) fn additive(&mut self) -> Result<Number> {
+    /// What every argument in the language is: a sum. Before version 1.5 a sum needs parentheses, so that `<1 -1 0>`
+    /// has three components.
+    #[inline]
+    pub(super) fn sum(&mut self) -> Result<Number> {
+        if self.joins() { self.additive() } else { self.unary() }
+    }
+
+    /// Whether numbers are joined outside of parentheses, too.
+    #[inline]
+    pub(super) fn joins(&self) -> bool {
+        self.syntax_version() >= FIRST_TO_JOIN
+    }
+
+    /// `+` and `-`.
+    fn additive(&mut self) -> Result<Number> {
         let mut left = self.multiplicative()?;
         loop {
             let token = self.peek()?;

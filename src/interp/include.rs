@@ -1,7 +1,7 @@
 //! `#include`, and the texts behind it.
 
 use super::kept::Kept;
-use super::lookup::Kind;
+use super::lookup::{Found, Kind, OTHER_CASE};
 use super::options::{IncludeMode, SceneSource};
 use super::places::Access;
 use super::stream::{Frame, Source, link};
@@ -105,7 +105,10 @@ impl Parser {
         }
         let Some(found) = found else {
             self.refuse_special(name, span)?;
-            return Err(self.no_such_file(name, span));
+            return match self.embedded_in_other_case(name, span)? {
+                Some(file) => Ok(file),
+                None => Err(self.no_such_file(name, span)),
+            };
         };
         if !self.loaded.contains_key(&found.path) {
             self.check_place(&found.path, Access::Read, span)?;
@@ -125,6 +128,18 @@ impl Parser {
         let file = self.files.add(shown.display().to_string(), None, Arc::new(text.as_bytes().to_vec()));
         self.loaded.insert(shown, file);
         Some(file)
+    }
+
+    /// The embedded text whose name differs in capitals and small letters only, with a warning.
+    fn embedded_in_other_case(&mut self, name: &str, span: Span) -> Result<Option<FileId>> {
+        let lower = name.to_ascii_lowercase();
+        if self.options.includes == IncludeMode::Installed || lower == name {
+            return Ok(None);
+        }
+        let Some(file) = self.embedded_file(&lower) else { return Ok(None) };
+        let path = PathBuf::from(self.files.name(file));
+        self.lenient_about(&Found { path, leniency: Some(OTHER_CASE) }, name, span)?;
+        Ok(Some(file))
     }
 
     /// A file's text; one read before is not read again.

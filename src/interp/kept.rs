@@ -49,7 +49,7 @@ impl Parser {
     #[inline]
     pub(super) fn compiled(&mut self, level: Level) -> Option<f64> {
         let frame = self.frames.last()?;
-        if frame.streams() {
+        if frame.streams() || !self.joins() {
             return None;
         }
         let at = match self.ahead {

@@ -69,7 +69,7 @@ impl Parser {
 
     fn list_vector(&mut self, components: usize) -> Result<[f64; 5]> {
         let start = self.peek_operand()?.span;
-        let value = self.additive()?;
+        let value = self.sum()?;
         let v = self.tuple(value, components, start)?;
         self.comma()?;
         Ok(v)

@@ -58,6 +58,9 @@ pub const INCLUDE_FOLDERS: [&str; 4] = [
     "/opt/homebrew/share/povray-3.7/include",
 ];
 
+/// Why the reference would not find a file that is found without regard to case.
+pub(super) const OTHER_CASE: &str = "capitals and small letters differ";
+
 /// A file that was found.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Found {
@@ -94,7 +97,7 @@ impl Parser {
             return Some(Found { path, leniency: Some("backslashes were read as slashes") });
         }
         let path = candidates(&slashed, kind).iter().find_map(|c| without_case(&folders, c))?;
-        Some(Found { path, leniency: Some("capitals and small letters differ") })
+        Some(Found { path, leniency: Some(OTHER_CASE) })
     }
 
     /// The file that `name` means, with a warning if the reference would not find it, or the error: there is none,

@@ -107,7 +107,7 @@ impl Parser {
         let count = self.float()?.clamp(2.0, 5.0) as usize;
         self.comma()?;
         // A lone number fills the first component only.
-        let v = self.additive()?.filled(1);
+        let v = self.sum()?.filled(1);
         self.comma()?;
         let separator = self.string_value()?;
         self.comma()?;

@@ -216,14 +216,14 @@ impl Parser {
                     binary = None;
                     continue;
                 }
-                (_, Some(format)) => format.encode(self.additive()?),
+                (_, Some(format)) => format.encode(self.sum()?),
                 (Tok::Word(word), None) if Format::from_word(word).is_some() => {
                     self.next()?;
                     binary = Format::from_word(word);
                     continue;
                 }
                 _ if self.at_string()? => self.string()?.into_bytes(),
-                _ => written(self.additive()?).into_bytes(),
+                _ => written(self.sum()?).into_bytes(),
             };
             self.write_bytes(index, &bytes, span)?;
         }
