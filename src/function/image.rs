@@ -38,12 +38,12 @@ impl FunctionImage {
         })
     }
 
-    /// Column j of row i is the value at (j / (W - 1), i / (H - 1), 0).
+    /// Column j of row i is the value at (j / (W - 1), i / (H - 1), 0). Ends where functions give up.
     fn sample<T>(&self, texel: impl Fn(FunctionValue) -> T) -> Vec<T> {
         let step = |i: u32, count: u32| f64::from(i) / f64::from(count.max(2) - 1);
         let rows = (0..self.height).map(|i| step(i, self.height));
         rows.flat_map(|y| (0..self.width).map(move |j| [step(j, self.width), y, 0.0]))
-            .map(|p| texel(if patience::step() { self.function.call(&p) } else { FunctionValue::Float(0.0) }))
+            .map_while(|p| patience::step().then(|| texel(self.function.call(&p))))
             .collect()
     }
 }
@@ -67,6 +67,15 @@ mod tests {
         let root = build(&mut e);
         let function = Arc::new(Function::new(e, root, 3).unwrap());
         FunctionImage { width, height, function }
+    }
+
+    #[test]
+    fn no_time_no_texels() {
+        let x = image(3000, 3000, |e| e.parameter(0));
+        patience::give_up_at(std::time::Instant::now().checked_sub(std::time::Duration::from_secs(1)));
+        let (greys, gave_up) = (x.greys(), patience::gave_up());
+        patience::give_up_at(None);
+        assert!(greys.len() < 1_000_000 && gave_up, "{}", greys.len());
     }
 
     #[test]
