@@ -130,7 +130,9 @@ impl Parser {
         let limit = self.options.limits.symbol_tables - 2;
         Err(Box::new(
             Diagnostic::error(span, format!("more than {limit} macro calls and includes within each other"))
-                .with_hint("a macro that calls itself needs a condition that ends it"),
+                .with_hint(
+                    "a macro that calls itself needs a condition that ends it; `--limit calls=N` allows more",
+                ),
         ))
     }
 

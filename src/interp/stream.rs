@@ -231,10 +231,10 @@ impl Parser {
             }
             kept.push(token);
             if kept.len() > self.options.limits.kept_tokens {
-                return Err(Box::new(Diagnostic::error(
-                    first.span,
-                    "this loop or macro is too long to keep",
-                )));
+                return Err(Box::new(
+                    Diagnostic::error(first.span, "this loop or macro is too long to keep")
+                        .with_hint("`--limit tokens=N` allows more"),
+                ));
             }
         }
         link(&mut kept);

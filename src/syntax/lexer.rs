@@ -41,7 +41,8 @@ enum Lexeme {
     #[token("&", |_| Punct::And)]
     #[token("|", |_| Punct::Or)]
     #[token("#", |_| Punct::Hash)]
-    #[regex(r"[@$%^~'`]", |_| Punct::Other)]
+    #[token("^", |_| Punct::Caret)]
+    #[regex(r"[@$%~'`]", |_| Punct::Other)]
     Punct(Punct),
 }
 

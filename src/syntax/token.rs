@@ -70,7 +70,8 @@ pub enum Punct {
     And,
     Or,
     Hash,
-    /// `@ $ % ^ ~ '` and the back-quote: tokens that nothing accepts.
+    Caret,
+    /// `@ $ % ~ '` and the back-quote: tokens that nothing accepts.
     Other,
 }
 
@@ -103,6 +104,7 @@ impl Punct {
             Punct::And => "&",
             Punct::Or => "|",
             Punct::Hash => "#",
+            Punct::Caret => "^",
             Punct::Other => "@",
         }
     }

@@ -43,10 +43,10 @@ impl Parser {
         let count = sizes.iter().try_fold(1usize, |product, size| product.checked_mul(*size));
         let count = count.filter(|c| *c <= self.options.limits.array_elements).ok_or_else(|| {
             let limit = self.options.limits.array_elements;
-            Box::new(Diagnostic::error(
-                start.to(self.last),
-                format!("an array has more than {limit} elements"),
-            ))
+            let message = format!("an array has more than {limit} elements");
+            Box::new(
+                Diagnostic::error(start.to(self.last), message).with_hint("`--limit elements=N` allows more"),
+            )
         })?;
         self.reserve((count * size_of::<Option<Value>>()) as u64, start.to(self.last))?;
         let mut array = Array { elements: vec![None; count], kind: None, sizes, depth: 1 };

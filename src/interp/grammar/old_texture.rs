@@ -88,8 +88,17 @@ impl Parser {
             pigment.signal.wave = Wave::Ramp;
         }
         let mut modified = false;
-        while self.pigment_modifier(&mut pigment, Place::Pigment)? {
+        while let word = self.peek()?.tok
+            && self.pigment_modifier(&mut pigment, Place::Pigment)?
+        {
             modified = true;
+            // They are the whole texture's, its normal's too.
+            let signal = layer.normal.as_mut().map(|normal| &mut Arc::make_mut(normal).signal);
+            match (word, signal) {
+                (Tok::Word(Keyword::Frequency), Some(signal)) => signal.frequency = pigment.signal.frequency,
+                (Tok::Word(Keyword::Phase), Some(signal)) => signal.phase = pigment.signal.phase,
+                _ => {}
+            }
         }
         if typed || modified {
             pigment.settle();
