@@ -23,21 +23,22 @@ impl Parser {
         match self.peek()?.tok {
             Tok::Word(Keyword::Tiles) => return self.tiles(),
             Tok::Word(Keyword::MaterialMap) => return self.material_map(),
-            _ => self.old_crand(&mut layers)?,
+            _ => {}
         }
         let mut albedo = Albedo::default();
         while self.old_texture_item(&mut layers, &mut albedo)? {}
         Ok(Texture::Layers(layers))
     }
 
-    /// A number in first place is the finish's `crand`.
-    fn old_crand(&mut self, layers: &mut [Layer]) -> Result<()> {
+    /// A number that stands alone is the finish's `crand`.
+    fn old_crand(&mut self, layer: &mut Layer) -> Result<bool> {
         let token = self.peek()?;
-        if let (Tok::Number(_), Some(top)) = (token.tok, layers.last_mut()) {
-            Arc::make_mut(&mut top.finish).crand = self.float()? as f32;
-            self.warn(Diagnostic::warning(token.span, "a number in a texture is read as `crand`"));
+        if !matches!(token.tok, Tok::Number(_)) {
+            return Ok(false);
         }
-        Ok(())
+        Arc::make_mut(&mut layer.finish).crand = self.single()? as f32;
+        self.warn(Diagnostic::warning(token.span, "a number in a texture is read as `crand`"));
+        Ok(true)
     }
 
     fn old_texture_item(&mut self, layers: &mut [Layer], albedo: &mut Albedo) -> Result<bool> {
@@ -57,7 +58,7 @@ impl Parser {
     }
 
     fn old_layer_item(&mut self, layer: &mut Layer, albedo: &mut Albedo) -> Result<bool> {
-        if self.layer_part(layer)? {
+        if self.old_crand(layer)? || self.layer_part(layer)? {
             return Ok(true);
         }
         if self.accept(Keyword::Ambient)? {
