@@ -12,16 +12,10 @@ use table::{Row, rows};
 
 /// Rows of `version-oracle.csv` that Glint answers differently: scene, what the line before it or the options begin
 /// with, the most that a value differs by, and why. A row that POV-Ray refuses differs by 256.
-const VERSIONS: [(&str, &str, i32, &str); 4] = [
+const VERSIONS: [(&str, &str, i32, &str); 3] = [
     ("media", "", 12, "samples are drawn at random"),
     ("nosemi", "", 256, "a missing semicolon is a warning"),
     ("default-tex", "#version 2.0;", 256, "no reason to refuse it was found"),
-    (
-        "ver-temp35",
-        "+MV3.7",
-        90,
-        "not mended: an option's version stays in force for gamma behind a late #version",
-    ),
 ];
 
 /// Rows of `old-syntax-oracle.csv` that Glint answers differently.

@@ -171,7 +171,8 @@ impl Parser {
         }
         let effective = self.effective_version().max(350);
         let syntax = self.syntax_version();
-        if !self.scene.gamma_given && effective >= 370 {
+        let has_gamma = self.version.has_gamma();
+        if !self.scene.gamma_given && has_gamma {
             let text = "no `assumed_gamma`: 1.0 is taken";
             self.warn(
                 Diagnostic::warning(whole, text).with_hint("say `global_settings { assumed_gamma 1.0 }`"),
@@ -181,7 +182,7 @@ impl Parser {
         let globals = &mut self.scene.scene.globals;
         globals.effective_version = effective;
         if !given.0 {
-            globals.gamma = if effective >= 370 { Gamma::Power(1.0) } else { Gamma::Unmanaged };
+            globals.gamma = if has_gamma { Gamma::Power(1.0) } else { Gamma::Unmanaged };
         }
         if !given.1 && syntax < 350 {
             globals.noise_generator = NoiseGenerator::Original;

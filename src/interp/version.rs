@@ -6,7 +6,12 @@ pub(super) struct Version {
     declared: Option<u32>,
     /// Whether the text did it, and not an option.
     by_text: bool,
+    /// Whether an option asks for the rules of today.
+    modern_option: bool,
 }
+
+/// From this version on a scene that says no `assumed_gamma` has one.
+const GAMMA: u32 = 370;
 
 /// What a scene that declares nothing is read as.
 const SYNTAX: u32 = 370;
@@ -15,7 +20,7 @@ const EFFECTIVE: u32 = 362;
 
 impl Version {
     pub fn new(declared: Option<u32>) -> Self {
-        Self { declared, by_text: false }
+        Self { declared, by_text: false, modern_option: declared.is_some_and(|option| option >= GAMMA) }
     }
 
     pub fn set(&mut self, version: u32) {
@@ -38,5 +43,11 @@ impl Version {
 
     pub fn effective(&self) -> u32 {
         self.declared.unwrap_or(EFFECTIVE)
+    }
+
+    /// Whether colours are linear light where the scene says no `assumed_gamma`: as measured, an option decides that
+    /// for all of the text.
+    pub fn has_gamma(&self) -> bool {
+        self.modern_option || self.effective() >= GAMMA
     }
 }
